@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+# How every target of this project is compiled, and the one way to declare a library of the core.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+option(INKFLATE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+
+add_library(inkflate_flags INTERFACE)
+# Contraction to fused multiply-add would make results depend on the processor.
+target_compile_options(inkflate_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow
+                                                -Wnon-virtual-dtor -Wold-style-cast -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 reports these inside libstdc++ at -O2 and above.
+  target_compile_options(inkflate_flags INTERFACE -Wno-stringop-overflow -Wno-array-bounds
+                                                  -Wno-restrict -Wno-maybe-uninitialized)
+endif()
+if(INKFLATE_SANITIZE)
+  target_compile_options(inkflate_flags INTERFACE -fsanitize=address,undefined
+                                                  -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(inkflate_flags INTERFACE -fsanitize=address,undefined)
+endif()
+if(EMSCRIPTEN)
+  # CommonJS for node; a stack of 1 MB because the default is small and overflows silently.
+  target_link_options(inkflate_flags INTERFACE -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1
+                      -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1048576)
+endif()
+
+# inkflate_library(FOLDER [folder it may include ...]): the library of one folder of src/.
+# The core is compiled without exceptions: WebAssembly cannot catch, so nothing may throw.
+function(inkflate_library name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  add_library(inkflate_${name} STATIC ${sources})
+  set_target_properties(inkflate_${name} PROPERTIES LINKER_LANGUAGE CXX)
+  target_include_directories(inkflate_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
+  target_compile_options(inkflate_${name} PRIVATE -fno-exceptions)
+  list(TRANSFORM ARGN PREPEND inkflate_)
+  target_link_libraries(inkflate_${name} PUBLIC ${ARGN} PRIVATE inkflate_flags)
+endfunction()

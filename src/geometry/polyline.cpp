@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/polyline.h"
+
+#include <algorithm>
+
+namespace inkflate {
+
+Rect bounds(std::span<Vec2 const> points) {
+  Rect box;
+  for (auto const p : points) box.include(p);
+  return box;
+}
+
+double length(std::span<Vec2 const> points) {
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
+  return sum;
+}
+
+double perimeter(std::span<Vec2 const> contour) {
+  return contour.empty() ? 0 : length(contour) + distance(contour.back(), contour.front());
+}
+
+double signed_area(std::span<Vec2 const> contour) {
+  if (contour.empty()) return 0;
+  Vec2 const origin = contour.front();  // far from the origin the products would lose digits
+  double twice = 0;
+  for (std::size_t i = 1; i < contour.size(); ++i) {
+    twice += cross(contour[i - 1] - origin, contour[i] - origin);
+  }
+  return twice / 2;
+}
+
+bool contains(std::span<Vec2 const> contour, Vec2 p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
+    auto const a = contour[i];
+    auto const b = contour[j];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
+double squared_distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+  auto const along = b - a;
+  double const size = squared_norm(along);
+  double const t = size > 0 ? std::clamp(dot(p - a, along) / size, 0.0, 1.0) : 0;
+  return squared_norm(p - (a + along * t));
+}
+
+}  // namespace inkflate

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/cubic.h"
+#include "geometry/polyline.h"
+#include "model/stroke.h"
+
+namespace inkflate {
+
+/// What a piece of an outline is.
+enum class RunKind {
+  Ink,       // drawn: a stroke runs here
+  HelpLine,  // along a help line: an open boundary
+  Closing,   // bridges a gap; a later step decides whether it joins another part
+};
+
+/// One cubic of an outline. A piece never spans two kinds.
+struct OutlinePiece {
+  Cubic curve;
+  RunKind kind = RunKind::Ink;
+
+  friend bool operator==(OutlinePiece const&, OutlinePiece const&) = default;
+};
+
+/// A stretch of an outline that was drawn by one stroke.
+struct InkSource {
+  double from = 0;         // outline parameter: index of the piece + t along it
+  double to = 0;           // > from
+  int stroke = -1;         // index into Sketch::strokes
+  double sample_from = 0;  // position on the stroke: index of the sample + fraction
+  double sample_to = 0;    // less than sample_from where the stroke runs the other way
+
+  friend bool operator==(InkSource const&, InkSource const&) = default;
+};
+
+/// A closed curve without self-crossings: each piece starts exactly where the one before ends, the first where
+/// the last ends. Outer outlines have positive area, holes negative (geometry/polyline.h).
+struct Outline {
+  std::vector<OutlinePiece> pieces;
+  std::vector<InkSource> sources;  // in outline order; stretches without ink have none
+
+  friend bool operator==(Outline const&, Outline const&) = default;
+};
+
+/// One part of a character.
+struct Layer {
+  std::string name;
+  std::vector<Outline> outlines;  // the outer one, then its holes
+  std::vector<int> strokes;       // those that draw the outlines; indices into Sketch::strokes
+  std::vector<int>
+      details;  // those that lie on the layer without being outline: eyes, whiskers, hatching
+
+  friend bool operator==(Layer const&, Layer const&) = default;
+};
+
+/// A sketch together with what simplify made of it. Every stroke is in the strokes or details of exactly one layer, or stray.
+struct Drawing {
+  Sketch sketch;
+  std::vector<Layer> layers;  // back to front
+  std::vector<int> stray;     // strokes that belong to no layer: noise
+
+  friend bool operator==(Drawing const&, Drawing const&) = default;
+};
+
+/// A maximal stretch of one kind, as points. A run that is a whole outline starts and ends at the same point.
+struct Run {
+  RunKind kind = RunKind::Ink;
+  Polyline points;
+};
+
+/// The outline as a closed polygon whose chords stay within tolerance of the curve.
+Contour flatten(Outline const& outline, double tolerance_px);
+
+/// The outline cut where its kind changes, in outline order.
+std::vector<Run> runs(Outline const& outline, double tolerance_px);
+
+}  // namespace inkflate

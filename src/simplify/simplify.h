@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "model/drawing.h"
+
+namespace inkflate {
+
+enum class SimplifyMethod {
+  Cut,   // minimum cut on the Delaunay triangulation of the strokes
+  Grid,  // minimum cut on pixels, as the thesis describes it; for comparison
+};
+
+enum class Holes {
+  Keep,  // enclosed white regions that look meant stay holes
+  Fill,  // the thesis: only the silhouette
+};
+
+enum class Parts {
+  One,     // the largest silhouette
+  All,     // every separate piece
+  Groups,  // one layer for each group of strokes
+};
+
+struct SimplifyOptions {
+  SimplifyMethod method = SimplifyMethod::Cut;
+  std::optional<double> gap_px;  // > 0: no closing is longer; none: as the energy balances
+  std::vector<Vec2> outside;     // these places are background
+  std::vector<Vec2> inside;      // these places belong to the shape
+  Holes holes = Holes::Keep;
+  Parts parts = Parts::All;
+  double smooth = 0.5;  // 0 .. 1: how far a contour may leave the pen's jitter to be smooth
+};
+
+/// Closes a rough sketch: smooth closed contours in the middle of its overdrawn strokes.
+///
+/// in      sketch: any number of strokes; samples finite, within 1e6 px
+/// out     the sketch with its layers; every outline is closed and simple
+/// errors  BadOption; BadInput (a sample not finite or out of range); NothingThere (no stroke encloses or nearly
+///         encloses an area); Cancelled
+/// cost    O(n log n) in the number of samples; about 10 ms for 250 strokes
+/// source  thesis section 3.2, eq. 3.4; docs/algorithms/simplify.md
+Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options = {},
+                         Progress const& progress = {});
+
+}  // namespace inkflate
