@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "geometry/rect.h"
+#include "geometry/vec2.h"
+#include "mesh/delaunay.h"
+
+namespace inkflate {
+
+/// The working space of simplify: every sketch is scaled so that the longer side of its strokes is kFrameSize_px long. So all lengths
+/// below mean the same on a thumbnail and on a poster. The lattice of the triangulation has kLatticePerPx points in a frame px.
+struct Frame {
+  static constexpr double kFrameSize_px = 1000;
+  static constexpr int kLatticePerPx = 16;
+  static constexpr double kMargin_px = 12;  // keeps rounded points on the lattice
+
+  Vec2 origin;           // canvas px: goes to (kMargin_px, kMargin_px)
+  double to_frame = 1;   // frame px per canvas px
+  double to_canvas = 1;  // canvas px per frame px
+
+  /// box: of all strokes, in canvas px. A single point gets a frame in which it is the corner.
+  static Frame around(Rect const& box) {
+    Frame frame;
+    if (box.is_empty()) return frame;
+    frame.origin = box.min;
+    if (box.longer_side() > 0) {
+      frame.to_frame = kFrameSize_px / box.longer_side();
+      frame.to_canvas = box.longer_side() / kFrameSize_px;
+    }
+    return frame;
+  }
+
+  Vec2 frame_point(Vec2 canvas) const {
+    return (canvas - origin) * to_frame + Vec2{kMargin_px, kMargin_px};
+  }
+  Vec2 canvas_point(Vec2 frame) const {
+    return (frame - Vec2{kMargin_px, kMargin_px}) * to_canvas + origin;
+  }
+
+  /// p in frame px, within the frame and its margin.
+  static LatticePoint lattice_point(Vec2 p) {
+    return {static_cast<int>(std::floor(p.x * kLatticePerPx + 0.5)),
+            static_cast<int>(std::floor(p.y * kLatticePerPx + 0.5))};
+  }
+};
+static_assert((Frame::kFrameSize_px + 2 * Frame::kMargin_px) * Frame::kLatticePerPx <=
+              kLatticeSize);
+
+}  // namespace inkflate
