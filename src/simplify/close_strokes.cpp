@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simplify/close_strokes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simplify/cell_cut.h"
+#include "simplify/centre_rim.h"
+#include "simplify/fit_rims.h"
+#include "simplify/prune_whiskers.h"
+#include "simplify/sort_strokes.h"
+
+namespace inkflate {
+namespace {
+
+// Distance of samples, frame px. Half of it changes no result that a person sees, twice of it opens small gaps.
+constexpr double kSpacing_px = 2.2;
+
+// What is nowhere wider is a line, not a shape, frame px: about three times the width of a pencil line.
+constexpr double kWhisker_px = 7;
+
+// A piece with less than this share of the largest one's area is a speck.
+constexpr double kLeastShare = 0.01;
+
+/// An outer rim and the holes in it.
+struct Part {
+  int outer;
+  std::vector<int> holes;
+  double area_px2;
+};
+
+/// Sorts rims into parts, largest first. A hole belongs to the smallest outer rim around it.
+std::vector<Part> nest(std::vector<Contour> const& contours) {
+  std::vector<Part> parts;
+  std::vector<int> holes;
+  for (int r = 0; r < std::ssize(contours); ++r) {
+    double const area = signed_area(contours[r]);
+    if (area > 0) {
+      parts.push_back({r, {}, area});
+    } else if (area < 0) {
+      holes.push_back(r);
+    }
+  }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](Part const& a, Part const& b) { return a.area_px2 > b.area_px2; });
+  for (int const hole : holes) {
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+      if (part->area_px2 > -signed_area(contours[hole]) &&
+          contains(contours[part->outer], contours[hole].front())) {
+        part->holes.push_back(hole);
+        break;
+      }
+    }
+  }
+  return parts;
+}
+
+Error cancelled() { return {ErrorCode::Cancelled, "stopped on request"}; }
+
+CutOptions cut_options(SimplifyOptions const& options, Frame const& frame) {
+  CutOptions cut;
+  if (options.gap_px) cut.gap_px = *options.gap_px * frame.to_frame;
+  for (auto const mark : options.outside) cut.outside.push_back(frame.frame_point(mark));
+  for (auto const mark : options.inside) cut.inside.push_back(frame.frame_point(mark));
+  return cut;
+}
+
+/// The rims of everything that is wider than a line.
+std::vector<Rim> wide_rims(std::vector<Rim> const& traced, StrokeSamples const& samples) {
+  std::vector<Rim> rims;
+  for (auto const& rim : traced) {
+    auto pruned = prune_whiskers(rim, samples, kWhisker_px);
+    if (!pruned.empty()) rims.push_back(std::move(pruned));
+  }
+  return rims;
+}
+
+/// The parts that are no specks, as the options want them.
+std::vector<Part> choose_parts(std::vector<Rim> const& rims, StrokeSamples const& samples,
+                               Parts wanted) {
+  std::vector<Contour> contours;
+  for (auto const& rim : rims) contours.push_back(positions(rim, samples));
+  auto parts = nest(contours);
+  if (parts.empty()) return parts;
+  double const least = kLeastShare * parts.front().area_px2;
+  std::erase_if(parts, [&](Part const& part) { return part.area_px2 < least; });
+  if (wanted != Parts::All) parts.resize(1);
+  return parts;
+}
+
+}  // namespace
+
+Result<ClosedStrokes> close_strokes(Sketch const& sketch, std::span<int const> chosen,
+                                    Frame const& frame, SimplifyOptions const& options,
+                                    Progress const& progress) {
+  if (!progress.enter("sample")) return cancelled();
+  auto const samples = sample_strokes(sketch, chosen, frame, kSpacing_px);
+  if (!progress.enter("triangulate")) return cancelled();
+  auto const mesh = delaunay(samples.lattice);
+  if (!progress.enter("cut")) return cancelled();
+  auto const inside = label_cells(samples, mesh, cut_options(options, frame));
+  if (!inside) return inside.error();
+
+  if (!progress.enter("trace")) return cancelled();
+  EdgeKinds const kind_of(sketch, samples);
+  auto const traced = wide_rims(trace_rims(mesh, *inside, kind_of), samples);
+  auto const parts = choose_parts(traced, samples, options.parts);
+
+  if (!progress.enter("centre")) return cancelled();
+  std::vector<Rim> rims;
+  for (auto const& part : parts) {
+    rims.push_back(traced[part.outer]);
+    for (int const hole : part.holes) rims.push_back(traced[hole]);
+  }
+  std::vector<Vec2> points;
+  points.reserve(samples.points.size());
+  for (auto const& sample : samples.points) points.push_back(sample.position);
+  PointGrid const grid(points, CentreOptions{}.reach_px);
+  std::vector<Contour> centred;
+  for (auto const& rim : rims) centred.push_back(centre_rim(rim, samples, grid));
+
+  if (!progress.enter("fit")) return cancelled();
+  auto outlines = fit_rims(rims, centred, samples, frame, options.smooth);
+  ClosedStrokes result;
+  for (std::size_t next = 0; auto const& part : parts) {
+    Layer layer;
+    for (std::size_t k = 0; k <= part.holes.size(); ++k)
+      layer.outlines.push_back(std::move(outlines[next++]));
+    result.layers.push_back(std::move(layer));
+  }
+  if (!progress.enter("sort")) return cancelled();
+  result.stray = sort_strokes(samples, frame, result.layers);
+  return result;
+}
+
+}  // namespace inkflate

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "simplify/simplify.h"
+#include "simplify/stroke_samples.h"
+
+namespace inkflate {
+
+/// What the strokes of one group became.
+struct ClosedStrokes {
+  std::vector<Layer> layers;  // largest first, without names
+  std::vector<int> stray;
+};
+
+/// Method `cut` on some strokes of a sketch: the stages in order.
+///
+/// in      chosen: indices into sketch.strokes; frame: around all strokes of the sketch; options: valid
+/// out     no layer at all when nothing is enclosed
+/// errors  BadOption (an inside mark beyond the strokes), Cancelled
+/// source  docs/algorithms/simplify.md
+Result<ClosedStrokes> close_strokes(Sketch const& sketch, std::span<int const> chosen,
+                                    Frame const& frame, SimplifyOptions const& options,
+                                    Progress const& progress);
+
+}  // namespace inkflate

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "simplify/rim.h"
+
+namespace inkflate {
+
+/// A stretch of a rim without corners and of one kind: from corner `first` over `size` edges. A rim without any break is one chain
+/// that ends where it starts.
+struct RimChain {
+  int first = 0;
+  int size = 0;  // edges, > 0
+  RunKind kind = RunKind::Ink;
+};
+
+/// Cuts a rim at its corners and where its kind changes, after runs too short to mean anything have taken the kind of what is around
+/// them: gaps within the pencil's width, specks of ink in the middle of a closing.
+///
+/// in      positions: of the rim's corners, frame px
+/// out     chains in rim order that cover it; the first starts at a break if there is any
+std::vector<RimChain> cut_rim(Rim const& rim, Contour const& positions);
+
+}  // namespace inkflate
