@@ -25,22 +25,6 @@ class CellTopology {
   Triangulation const* mesh_;
 };
 
-/// The cell that holds p; -1 beyond the hull. O(cells): there are few marks.
-int find_cell(StrokeSamples const& samples, Triangulation const& mesh, Vec2 p) {
-  auto const corner = [&](int e) { return samples.lattice[mesh.corners[e]]; };
-  auto const lattice = Frame::lattice_point(p);
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    auto const a = corner(3 * t);
-    auto const b = corner(3 * t + 1);
-    auto const c = corner(3 * t + 2);
-    if (orientation(a, b, lattice) >= 0 && orientation(b, c, lattice) >= 0 &&
-        orientation(c, a, lattice) >= 0) {
-      return t;
-    }
-  }
-  return -1;
-}
-
 /// The capacities of the cell graph.
 struct CellGraph {
   std::vector<std::int32_t> arcs;
@@ -76,6 +60,21 @@ CellGraph weigh(StrokeSamples const& samples, Triangulation const& mesh,
 }
 
 }  // namespace
+
+int find_cell(StrokeSamples const& samples, Triangulation const& mesh, Vec2 p) {
+  auto const corner = [&](int e) { return samples.lattice[mesh.corners[e]]; };
+  auto const lattice = Frame::lattice_point(p);
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    auto const a = corner(3 * t);
+    auto const b = corner(3 * t + 1);
+    auto const c = corner(3 * t + 2);
+    if (orientation(a, b, lattice) >= 0 && orientation(b, c, lattice) >= 0 &&
+        orientation(c, a, lattice) >= 0) {
+      return t;
+    }
+  }
+  return -1;
+}
 
 std::int64_t longest_ink_edge_squared(StrokeSamples const& samples) {
   // Rounding to the lattice moves each end by at most half a unit along each axis.

@@ -32,6 +32,9 @@ struct CutOptions {
 Result<std::vector<std::uint8_t>> label_cells(StrokeSamples const& samples,
                                               Triangulation const& mesh, CutOptions const& options);
 
+/// The cell that holds p (frame px), its rim included; -1 beyond the hull. O(cells): for marks, of which there are few.
+int find_cell(StrokeSamples const& samples, Triangulation const& mesh, Vec2 p);
+
 /// An edge no longer than this is ink: the strokes' own steps, and the short bridges between overdrawn ones. Lattice units, squared.
 std::int64_t longest_ink_edge_squared(StrokeSamples const& samples);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simplify/carve_holes.h"
 #include "simplify/cell_cut.h"
 #include "simplify/centre_rim.h"
 #include "simplify/fit_rims.h"
@@ -65,6 +66,11 @@ CutOptions cut_options(SimplifyOptions const& options, Frame const& frame) {
   return cut;
 }
 
+/// The mean width of what a contour encloses: a long band of width w has area w L and perimeter 2 L.
+double mean_width(Contour const& contour) {
+  return 2 * std::abs(signed_area(contour)) / perimeter(contour);
+}
+
 /// The rims of everything that is wider than a line.
 std::vector<Rim> wide_rims(std::vector<Rim> const& traced, StrokeSamples const& samples) {
   std::vector<Rim> rims;
@@ -83,8 +89,10 @@ std::vector<Part> choose_parts(std::vector<Rim> const& rims, StrokeSamples const
   auto parts = nest(contours);
   if (parts.empty()) return parts;
   double const least = kLeastShare * parts.front().area_px2;
-  std::erase_if(parts, [&](Part const& part) { return part.area_px2 < least; });
-  if (wanted != Parts::All) parts.resize(1);
+  std::erase_if(parts, [&](Part const& part) {
+    return part.area_px2 < least || mean_width(contours[part.outer]) < kWhisker_px;
+  });
+  if (wanted != Parts::All && !parts.empty()) parts.resize(1);
   return parts;
 }
 
@@ -98,8 +106,15 @@ Result<ClosedStrokes> close_strokes(Sketch const& sketch, std::span<int const> c
   if (!progress.enter("triangulate")) return cancelled();
   auto const mesh = delaunay(samples.lattice);
   if (!progress.enter("cut")) return cancelled();
-  auto const inside = label_cells(samples, mesh, cut_options(options, frame));
+  auto const cut = cut_options(options, frame);
+  auto inside = label_cells(samples, mesh, cut);
   if (!inside) return inside.error();
+  if (options.holes == Holes::Keep) {
+    if (!progress.enter("holes")) return cancelled();
+    std::vector<int> kept;
+    for (auto const mark : cut.inside) kept.push_back(find_cell(samples, mesh, mark));
+    inside = carve_holes(samples, mesh, *std::move(inside), kept);
+  }
 
   if (!progress.enter("trace")) return cancelled();
   EdgeKinds const kind_of(sketch, samples);

@@ -52,14 +52,16 @@ OutlinePoints sample_outlines(std::vector<Layer> const& layers, Frame const& fra
 /// Where a stroke's samples lie.
 struct Tally {
   int samples = 0;
-  std::vector<int> along;  // per layer: samples that draw its outline
-  std::vector<int> near;   // per layer: samples close to its outline
+  std::vector<int> along;      // per layer: samples that draw its outline
+  std::vector<int> near;       // per layer: samples close to its outline
+  std::vector<unsigned> seen;  // per layer, of the sample at hand: bit 0 near, bit 1 along
 };
 
 void count_sample(StrokeSample const& sample, OutlinePoints const& outlines, PointGrid const& grid,
                   Tally& tally) {
   ++tally.samples;
-  std::vector<std::uint8_t> seen(tally.near.size(), 0);  // bit 0: near, bit 1: along
+  auto& seen = tally.seen;
+  std::fill(seen.begin(), seen.end(), 0U);
   grid.near(sample.position, kBand_px, [&](int k) {
     if (squared_norm(outlines.positions[k] - sample.position) > kBand_px * kBand_px) return;
     auto const& point = outlines.points[k];
@@ -67,8 +69,8 @@ void count_sample(StrokeSample const& sample, OutlinePoints const& outlines, Poi
     seen[point.layer] |= is_along ? 3U : 1U;
   });
   for (std::size_t layer = 0; layer < seen.size(); ++layer) {
-    tally.near[layer] += seen[layer] & 1U;
-    tally.along[layer] += seen[layer] >> 1U;
+    tally.near[layer] += static_cast<int>(seen[layer] & 1U);
+    tally.along[layer] += static_cast<int>(seen[layer] >> 1U);
   }
 }
 
@@ -100,7 +102,8 @@ std::vector<int> sort_strokes(StrokeSamples const& samples, Frame const& frame,
   auto const& points = samples.points;
   for (std::size_t first = 0; first < points.size();) {
     int const stroke = points[first].stroke;
-    Tally tally = {0, std::vector<int>(layers.size(), 0), std::vector<int>(layers.size(), 0)};
+    Tally tally = {0, std::vector<int>(layers.size()), std::vector<int>(layers.size()),
+                   std::vector<unsigned>(layers.size())};
     auto last = first;
     for (; last < points.size() && points[last].stroke == stroke; ++last) {
       count_sample(points[last], outlines, grid, tally);
