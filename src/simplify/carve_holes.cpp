@@ -6,7 +6,6 @@
 #include <map>
 
 #include "geometry/point_grid.h"
-#include "simplify/cell_cut.h"
 #include "simplify/cell_regions.h"
 
 namespace inkflate {
@@ -65,12 +64,11 @@ class Line {
 };
 
 /// The corners of all edges between inside and outside.
-Line find_silhouette(StrokeSamples const& samples, Triangulation const& mesh,
-                     std::span<std::uint8_t const> inside) {
+Line find_silhouette(Cells const& cells, CellLabels const& inside) {
   std::vector<Vec2> places;
-  for (int e = 0; e < std::ssize(mesh.corners); ++e) {
-    if (inside[e / 3] == 0 || (mesh.twins[e] >= 0 && inside[mesh.twins[e] / 3] != 0)) continue;
-    places.push_back(samples.points[mesh.corners[e]].position);
+  for (int e = 0; e < 3 * cells.count(); ++e) {
+    if (inside[e / 3] == 0 || (cells.twin(e) >= 0 && inside[cells.twin(e) / 3] != 0)) continue;
+    places.push_back(cells.position(cells.corner(e)));
   }
   return Line(std::move(places));
 }
@@ -78,18 +76,17 @@ Line find_silhouette(StrokeSamples const& samples, Triangulation const& mesh,
 /// Looks at the white regions one by one; the tests stand in the order of their cost.
 class HoleJudge {
  public:
-  HoleJudge(StrokeSamples const& samples, Triangulation const& mesh,
-            std::span<std::uint8_t const> inside)
-      : samples_(samples),
-        whites_(join_cells(samples, mesh, inside, kPassage_px)),
-        parts_(join_cells(samples, mesh, inside, 0)),
-        silhouette_(find_silhouette(samples, mesh, inside)) {
+  HoleJudge(Cells const& cells, CellLabels const& inside)
+      : samples_(cells.samples),
+        whites_(join_cells(cells, inside, kPassage_px)),
+        parts_(join_cells(cells, inside, 0)),
+        silhouette_(find_silhouette(cells, inside)) {
     part_of_.assign(whites_.regions.size(), -1);
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
+    for (int t = 0; t < cells.count(); ++t) {
       if (whites_.of_cell[t] >= 0) part_of_[whites_.of_cell[t]] = parts_.of_cell[t];
     }
-    for (int k = 0; k < std::ssize(samples.points); ++k) {
-      auto const stroke = static_cast<std::size_t>(samples.points[k].stroke);
+    for (int k = 0; k < std::ssize(samples_.points); ++k) {
+      auto const stroke = static_cast<std::size_t>(samples_.points[k].stroke);
       if (stroke_starts_.size() <= stroke) stroke_starts_.resize(stroke + 1, k);
     }
     for (int r = 0; r < std::ssize(whites_.regions); ++r)
@@ -174,37 +171,33 @@ class HoleJudge {
 };
 
 /// Takes the cells of a hole out, and with them the cells in its narrow corners, which belong to no region.
-void open(int region, CellRegions const& whites, StrokeSamples const& samples,
-          Triangulation const& mesh, std::vector<std::uint8_t>& inside) {
-  auto const longest_ink = longest_ink_edge_squared(samples);
-  std::vector<int> cells;
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    if (whites.of_cell[t] == region) cells.push_back(t);
+void open(int region, Cells const& cells, CellRegions const& whites, CellLabels& inside) {
+  std::vector<int> opened;
+  for (int t = 0; t < cells.count(); ++t) {
+    if (whites.of_cell[t] == region) opened.push_back(t);
   }
-  for (int const t : cells) inside[t] = 0;
-  for (std::size_t next = 0; next < cells.size(); ++next) {
-    for (int e = 3 * cells[next]; e < 3 * cells[next] + 3; ++e) {
-      int const twin = mesh.twins[e];
-      if (twin < 0 || inside[twin / 3] == 0 || whites.of_cell[twin / 3] >= 0) continue;
-      if (squared_length(samples, mesh, e) <= longest_ink) continue;
-      inside[twin / 3] = 0;
-      cells.push_back(twin / 3);
+  for (int const t : opened) inside[t] = 0;
+  for (std::size_t next = 0; next < opened.size(); ++next) {
+    for (int e = 3 * opened[next]; e < 3 * opened[next] + 3; ++e) {
+      int const other = cells.twin(e) / 3;
+      if (cells.twin(e) < 0 || cells.is_ink(e) || inside[other] == 0 || whites.of_cell[other] >= 0)
+        continue;
+      inside[other] = 0;
+      opened.push_back(other);
     }
   }
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> carve_holes(StrokeSamples const& samples, Triangulation const& mesh,
-                                      std::vector<std::uint8_t> inside,
-                                      std::span<int const> keep_inside) {
-  if (mesh.triangle_count() == 0) return inside;
-  HoleJudge const judge(samples, mesh, inside);
+CellLabels carve_holes(Cells const& cells, CellLabels inside, std::span<int const> keep_inside) {
+  if (cells.count() == 0) return inside;
+  HoleJudge const judge(cells, inside);
   auto const& whites = judge.whites();
   for (int r = 0; r < std::ssize(whites.regions); ++r) {
     bool const is_kept = std::any_of(keep_inside.begin(), keep_inside.end(),
                                      [&](int cell) { return whites.of_cell[cell] == r; });
-    if (!is_kept && judge.is_hole(r)) open(r, whites, samples, mesh, inside);
+    if (!is_kept && judge.is_hole(r)) open(r, cells, whites, inside);
   }
   return inside;
 }

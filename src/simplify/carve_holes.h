@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <span>
-#include <vector>
 
-#include "mesh/delaunay.h"
-#include "simplify/stroke_samples.h"
+#include "simplify/cell_cut.h"
 
 namespace inkflate {
 
@@ -20,8 +17,6 @@ namespace inkflate {
 /// out     the labels, with 0 in the holes' cells
 /// cost    O(cells + samples)
 /// source  docs/algorithms/simplify.md, "Holes"
-std::vector<std::uint8_t> carve_holes(StrokeSamples const& samples, Triangulation const& mesh,
-                                      std::vector<std::uint8_t> inside,
-                                      std::span<int const> keep_inside);
+CellLabels carve_holes(Cells const& cells, CellLabels inside, std::span<int const> keep_inside);
 
 }  // namespace inkflate

@@ -3,14 +3,15 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "base/result.h"
-#include "mesh/delaunay.h"
-#include "simplify/stroke_samples.h"
+#include "simplify/cells.h"
 
 namespace inkflate {
+
+/// One label per cell: 1 inside, 0 outside.
+using CellLabels = std::vector<std::uint8_t>;
 
 /// The energy of thesis eq. 3.4 read as geometry: what one px of outline costs.
 struct CutOptions {
@@ -22,23 +23,12 @@ struct CutOptions {
   std::vector<Vec2> inside;   // frame px; the cells that hold these belong to the shape
 };
 
-/// Labels each triangle of the samples' Delaunay triangulation 1 (inside) or 0, at the least energy: ink pulls the cells on both
-/// its sides inside, paper resists the outline that crosses it. Exact: one minimum cut.
+/// Labels the cells at the least energy: ink pulls the cells on both its sides inside, paper resists the outline that crosses it.
+/// Exact: one minimum cut.
 ///
-/// in      samples, mesh = delaunay(samples.lattice)
 /// errors  BadOption (an inside mark beyond the hull of the strokes)
-/// cost    near linear in the number of cells; about 0.15 us each
+/// cost    near linear in the number of cells; about 0.1 us each
 /// source  thesis section 3.2; docs/algorithms/simplify.md, "The cut"
-Result<std::vector<std::uint8_t>> label_cells(StrokeSamples const& samples,
-                                              Triangulation const& mesh, CutOptions const& options);
-
-/// The cell that holds p (frame px), its rim included; -1 beyond the hull. O(cells): for marks, of which there are few.
-int find_cell(StrokeSamples const& samples, Triangulation const& mesh, Vec2 p);
-
-/// An edge no longer than this is ink: the strokes' own steps, and the short bridges between overdrawn ones. Lattice units, squared.
-std::int64_t longest_ink_edge_squared(StrokeSamples const& samples);
-
-/// The squared length of a half-edge, lattice units.
-std::int64_t squared_length(StrokeSamples const& samples, Triangulation const& mesh, int half_edge);
+Result<CellLabels> label_cells(Cells const& cells, CutOptions const& options);
 
 }  // namespace inkflate

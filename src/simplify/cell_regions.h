@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/delaunay.h"
-#include "simplify/stroke_samples.h"
+#include "simplify/cells.h"
 
 namespace inkflate {
 
@@ -29,7 +28,6 @@ struct CellRegions {
 ///
 /// in      inside: one label per cell; passage_px >= 0, frame px
 /// cost    O(cells)
-CellRegions join_cells(StrokeSamples const& samples, Triangulation const& mesh,
-                       std::span<std::uint8_t const> inside, double passage_px);
+CellRegions join_cells(Cells const& cells, std::span<std::uint8_t const> inside, double passage_px);
 
 }  // namespace inkflate

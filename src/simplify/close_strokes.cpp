@@ -102,23 +102,23 @@ Result<ClosedStrokes> close_strokes(Sketch const& sketch, std::span<int const> c
                                     Frame const& frame, SimplifyOptions const& options,
                                     Progress const& progress) {
   if (!progress.enter("sample")) return cancelled();
-  auto const samples = sample_strokes(sketch, chosen, frame, kSpacing_px);
+  auto sampled = sample_strokes(sketch, chosen, frame, kSpacing_px);
   if (!progress.enter("triangulate")) return cancelled();
-  auto const mesh = delaunay(samples.lattice);
+  auto const cells = make_cells(std::move(sampled));
+  auto const& samples = cells.samples;
   if (!progress.enter("cut")) return cancelled();
   auto const cut = cut_options(options, frame);
-  auto inside = label_cells(samples, mesh, cut);
+  auto inside = label_cells(cells, cut);
   if (!inside) return inside.error();
   if (options.holes == Holes::Keep) {
     if (!progress.enter("holes")) return cancelled();
     std::vector<int> kept;
-    for (auto const mark : cut.inside) kept.push_back(find_cell(samples, mesh, mark));
-    inside = carve_holes(samples, mesh, *std::move(inside), kept);
+    for (auto const mark : cut.inside) kept.push_back(find_cell(cells, mark));
+    inside = carve_holes(cells, *std::move(inside), kept);
   }
 
   if (!progress.enter("trace")) return cancelled();
-  EdgeKinds const kind_of(sketch, samples);
-  auto const traced = wide_rims(trace_rims(mesh, *inside, kind_of), samples);
+  auto const traced = wide_rims(trace_rims(sketch, cells, *inside), samples);
   auto const parts = choose_parts(traced, samples, options.parts);
 
   if (!progress.enter("centre")) return cancelled();

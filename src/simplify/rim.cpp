@@ -1,22 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simplify/rim.h"
 
-#include "simplify/cell_cut.h"
-
 namespace inkflate {
 namespace {
 
-bool is_rim_edge(Triangulation const& mesh, std::span<std::uint8_t const> inside, int e) {
-  return inside[e / 3] != 0 && (mesh.twins[e] < 0 || inside[mesh.twins[e] / 3] == 0);
+bool is_rim_edge(Cells const& cells, CellLabels const& inside, int e) {
+  return inside[e / 3] != 0 && (cells.twin(e) < 0 || inside[cells.twin(e) / 3] == 0);
 }
 
 /// The rim edge that follows e: turn about e's end through the inside cells that share it. So cells that meet only there stay
 /// on rims of their own.
-int next_rim_edge(Triangulation const& mesh, std::span<std::uint8_t const> inside, int e) {
+int next_rim_edge(Cells const& cells, CellLabels const& inside, int e) {
   int next = next_half_edge(e);
-  while (!is_rim_edge(mesh, inside, next)) next = next_half_edge(mesh.twins[next]);
+  while (!is_rim_edge(cells, inside, next)) next = next_half_edge(cells.twin(next));
   return next;
 }
+
+/// What the edge between two samples is: ink or help line up to the length of an ink edge, a closing above.
+class EdgeKinds {
+ public:
+  EdgeKinds(Sketch const& sketch, Cells const& cells) : cells_(&cells) {
+    for (auto const& stroke : sketch.strokes)
+      is_help_.push_back(stroke.kind == StrokeKind::HelpLine ? 1 : 0);
+  }
+
+  RunKind operator()(int sample_a, int sample_b) const {
+    auto const a = cells_->samples.lattice[sample_a];
+    auto const b = cells_->samples.lattice[sample_b];
+    if ((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y) > cells_->longest_ink_squared)
+      return RunKind::Closing;
+    return is_help(sample_a) && is_help(sample_b) ? RunKind::HelpLine : RunKind::Ink;
+  }
+
+ private:
+  bool is_help(int sample) const { return is_help_[cells_->samples.points[sample].stroke] != 0; }
+
+  Cells const* cells_;
+  std::vector<std::uint8_t> is_help_;  // per stroke
+};
 
 /// Takes a closed walk apart where it comes back to a corner, so that each piece visits every corner once.
 class LoopSplitter {
@@ -52,36 +73,18 @@ class LoopSplitter {
 
 }  // namespace
 
-EdgeKinds::EdgeKinds(Sketch const& sketch, StrokeSamples const& samples)
-    : samples_(&samples), longest_ink_(longest_ink_edge_squared(samples)) {
-  for (auto const& stroke : sketch.strokes) {
-    is_help_.push_back(stroke.kind == StrokeKind::HelpLine ? 1 : 0);
-  }
-}
-
-RunKind EdgeKinds::operator()(int sample_a, int sample_b) const {
-  auto const a = samples_->lattice[sample_a];
-  auto const b = samples_->lattice[sample_b];
-  std::int64_t const dx = b.x - a.x;
-  std::int64_t const dy = b.y - a.y;
-  if (dx * dx + dy * dy > longest_ink_) return RunKind::Closing;
-  bool const both_help = is_help_[samples_->points[sample_a].stroke] != 0 &&
-                         is_help_[samples_->points[sample_b].stroke] != 0;
-  return both_help ? RunKind::HelpLine : RunKind::Ink;
-}
-
-std::vector<Rim> trace_rims(Triangulation const& mesh, std::span<std::uint8_t const> inside,
-                            EdgeKinds const& kind_of) {
+std::vector<Rim> trace_rims(Sketch const& sketch, Cells const& cells, CellLabels const& inside) {
   std::vector<Rim> rims;
-  std::vector<std::uint8_t> is_done(mesh.corners.size(), 0);
-  LoopSplitter splitter(static_cast<int>(std::ssize(mesh.same_as)), rims);
-  for (int start = 0; start < std::ssize(mesh.corners); ++start) {
-    if (is_done[start] != 0 || !is_rim_edge(mesh, inside, start)) continue;
+  EdgeKinds const kind_of(sketch, cells);
+  std::vector<std::uint8_t> is_done(cells.mesh.corners.size(), 0);
+  LoopSplitter splitter(static_cast<int>(std::ssize(cells.samples.points)), rims);
+  for (int start = 0; start < 3 * cells.count(); ++start) {
+    if (is_done[start] != 0 || !is_rim_edge(cells, inside, start)) continue;
     int e = start;
     do {
       is_done[e] = 1;
-      splitter.add(mesh.corners[e], kind_of);
-      e = next_rim_edge(mesh, inside, e);
+      splitter.add(cells.corner(e), kind_of);
+      e = next_rim_edge(cells, inside, e);
     } while (e != start);
     splitter.finish(kind_of);
   }
