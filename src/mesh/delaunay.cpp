@@ -33,8 +33,9 @@ class Builder {
   void build() {
     int const third = first_off_line();
     if (third == ghost_) return;
-    corners_.reserve(6 * points_.size());
-    twins_.reserve(6 * points_.size());
+    // By Euler's formula n points and the ghost have 2 n - 2 triangles.
+    corners_.resize(6 * points_.size() - 6);
+    twins_.resize(6 * points_.size() - 6);
     start_with(third);
     for (int p = 2; p < ghost_; ++p) {
       if (p != third) insert(p);
@@ -43,7 +44,7 @@ class Builder {
 
   /// The triangles without ghosts; names[p] is the caller's number of point p.
   void export_to(std::vector<int> const& names, Triangulation& result) const {
-    int const count = static_cast<int>(corners_.size() / 3);
+    int const count = used_ / 3;
     std::vector<int> new_index(static_cast<std::size_t>(count), -1);
     int kept = 0;
     for (int t = 0; t < count; ++t) {
@@ -74,8 +75,9 @@ class Builder {
     std::array<int, 3> corner = {0, 1, third};
     if (orientation(points_[0], points_[1], points_[third]) < 0) std::swap(corner[1], corner[2]);
     auto const [a, b, c] = corner;
-    corners_ = {a, b, c, b, a, ghost_, c, b, ghost_, a, c, ghost_};
-    twins_.assign(12, -1);
+    std::array<int, 12> const first = {a, b, c, b, a, ghost_, c, b, ghost_, a, c, ghost_};
+    std::copy(first.begin(), first.end(), corners_.begin());
+    used_ = 12;
     for (int i = 0; i < 3; ++i) {
       int const ghost_edge = 3 * (i + 1);
       join(i, ghost_edge);
@@ -89,6 +91,12 @@ class Builder {
     twins_[f] = e;
   }
 
+  void set_corners(int e0, int a, int b, int c) {
+    corners_[e0] = a;
+    corners_[e0 + 1] = b;
+    corners_[e0 + 2] = c;
+  }
+
   bool is_ghost(int t) const {
     return corners_[3 * t] == ghost_ || corners_[3 * t + 1] == ghost_ ||
            corners_[3 * t + 2] == ghost_;
@@ -97,13 +105,14 @@ class Builder {
   /// Whether p lies inside the circle of the triangle of e. A ghost's circle is the open half-plane beyond its hull edge
   /// together with the open edge itself.
   bool circle_holds(int e, LatticePoint p) const {
-    int const t = e / 3;
-    std::array<int, 3> const corner = {corners_[3 * t], corners_[3 * t + 1], corners_[3 * t + 2]};
-    for (int i = 0; i < 3; ++i) {
-      if (corner[i] != ghost_) continue;
-      return is_beyond(points_[corner[(i + 1) % 3]], points_[corner[(i + 2) % 3]], p);
-    }
-    return in_circle(points_[corner[0]], points_[corner[1]], points_[corner[2]], p) > 0;
+    int const first = e - e % 3;
+    int const a = corners_[first];
+    int const b = corners_[first + 1];
+    int const c = corners_[first + 2];
+    if (a == ghost_) return is_beyond(points_[b], points_[c], p);
+    if (b == ghost_) return is_beyond(points_[c], points_[a], p);
+    if (c == ghost_) return is_beyond(points_[a], points_[b], p);
+    return in_circle(points_[a], points_[b], points_[c], p) > 0;
   }
 
   /// Whether p lies beyond the hull edge of a ghost, given as the ghost runs it, or strictly between its ends.
@@ -163,11 +172,12 @@ class Builder {
     int const c = corners_[e0 + 2];
     int const outer_bc = twins_[e0 + 1];
     int const outer_ca = twins_[e0 + 2];
-    int const f0 = static_cast<int>(corners_.size());
+    int const f0 = used_;
     int const g0 = f0 + 3;
-    corners_[e0 + 2] = p;                                 // a b p
-    corners_.insert(corners_.end(), {b, c, p, c, a, p});  // b c p, c a p
-    twins_.resize(corners_.size());
+    used_ += 6;
+    set_corners(e0, a, b, p);
+    set_corners(f0, b, c, p);
+    set_corners(g0, c, a, p);
     join(f0, outer_bc);
     join(g0, outer_ca);
     join(e0 + 1, f0 + 2);
@@ -223,6 +233,7 @@ class Builder {
   int ghost_;
   std::vector<int> corners_;
   std::vector<int> twins_;
+  int used_ = 0;  // half-edges made so far
   std::vector<int> pending_;
   int last_ = 0;
 };
