@@ -10,7 +10,7 @@ from math import sqrt
 
 from sketching.curve import distance
 
-CALM_REACH_PX = 300.0  # a stroke on a straight
+CALM_REACH_PX = 270.0  # a stroke on a straight
 TIGHT_REACH_PX = 75.0  # a stroke around a curl
 CURL = 1 / 55          # curvature at which the reach is half way between the two
 OPEN_END_FLY_PX = 8.0  # how far a stroke shoots over a corner
@@ -19,7 +19,7 @@ OPEN_END_FLY_PX = 8.0  # how far a stroke shoots over a corner
 class Hand:
     """How steady and how generous; lengths in px."""
 
-    def __init__(self, chance, drift=1.7, tremor=0.3, flare=4.0, reach=1.0, skip=0.07):
+    def __init__(self, chance, drift=2.3, tremor=0.35, flare=7.0, reach=1.0, skip=0.07):
         self.chance = chance
         self.drift = drift    # slow error beside the curve
         self.tremor = tremor  # fast error
@@ -38,9 +38,10 @@ class Hand:
                     if number > 0 and self.chance.happens(self.skip):
                         continue
                     start, end = self.run_over(start, end, low, high, is_whole)
-                    strokes.append(self.follow(curve, start, end, 1.6 if exploring else 1.0))
-            if count > 1 and number > 0 and self.chance.happens(0.5):
-                strokes += self.correction(curve, gaps)
+                    strokes.append(self.follow(curve, start, end, 1.7 if exploring else 1.0))
+            if number > 0:
+                for _ in range(round(curve.length / 500 + self.chance.about(0.5))):
+                    strokes += self.correction(curve, gaps)
         return strokes
 
     def fuzzy(self, gap):
@@ -157,7 +158,7 @@ def scribble(chance, x, y, radius, turns):
     dx, dy = 1.0, 0.0
     points, count = [], int(turns * 9)
     for i in range(count):
-        r = radius * (1 - 0.75 * i / count) * chance.between(0.88, 1.08)
+        r = radius * (1 - 0.95 * i / count) * chance.between(0.86, 1.1)
         points.append((x + dx * r, y + dy * r))
         dx, dy = dx * cosine - dy * sine, dx * sine + dy * cosine
     return points
@@ -170,3 +171,17 @@ def straight(chance, a, b):
     nx, ny = -(b[1] - a[1]) / max(length, 1e-6), (b[0] - a[0]) / max(length, 1e-6)
     middle = ((a[0] + b[0]) / 2 + nx * bow, (a[1] + b[1]) / 2 + ny * bow)
     return [a, middle, b]
+
+
+def zigzag(chance, x, y, radius_x, radius_y, steps):
+    """One wild stroke to and fro across an ellipse, slanted as it comes."""
+    slant, rise = chance.between(-0.8, 0.8), chance.between(0.05, 0.14)
+    low = chance.between(-0.8, 0.75 - rise * steps)
+    side = 1 if chance.happens(0.5) else -1
+    points = []
+    for i in range(steps):
+        height = low + rise * i
+        half = sqrt(max(0.1, 1 - height * height)) * chance.between(0.35, 0.8) * side
+        points.append((x + radius_x * half, y + radius_y * (height + slant * half * 0.5)))
+        side = -side
+    return points
