@@ -174,14 +174,15 @@ def straight(chance, a, b):
 
 
 def zigzag(chance, x, y, radius_x, radius_y, steps):
-    """One wild stroke to and fro across an ellipse, slanted as it comes."""
-    slant, rise = chance.between(-0.8, 0.8), chance.between(0.05, 0.14)
-    low = chance.between(-0.8, 0.75 - rise * steps)
-    side = 1 if chance.happens(0.5) else -1
+    """One wild stroke to and fro across an ellipse, in any direction."""
+    across = chance.between(-1, 1)
+    along = sqrt(1 - across * across)
+    rise = chance.between(0.07, 0.22)
+    low = chance.between(-0.85, max(-0.8, 0.85 - rise * steps))
     points = []
     for i in range(steps):
-        height = low + rise * i
-        half = sqrt(max(0.1, 1 - height * height)) * chance.between(0.35, 0.8) * side
-        points.append((x + radius_x * half, y + radius_y * (height + slant * half * 0.5)))
-        side = -side
+        height = min(0.95, low + rise * i)
+        half = sqrt(1 - height * height) * chance.between(0.45, 0.97) * (1 if i % 2 else -1)
+        points.append((x + radius_x * (half * along - height * across),
+                       y + radius_y * (half * across + height * along)))
     return points

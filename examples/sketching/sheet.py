@@ -75,9 +75,8 @@ class Sheet:
         for _ in range(count):
             steps = 3 + int(chance.unit() * 6)
             turns = zigzag(chance, x, y, radius_x, radius_y, steps)
-            curve = Curve(smooth_through(turns))
-            hand = Hand(chance, drift=2.0)
-            self.add(hand.follow(curve, 0, curve.length), colour, width + chance.about(0.4))
+            # Too fast for the hand to correct anything: the bare curve, thinly sampled.
+            self.add(smooth_through(turns)[::18], colour, width + chance.about(0.4))
 
     def guide(self, *shapes, closed=False):
         """Light construction lines, meant to be ignored."""

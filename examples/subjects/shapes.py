@@ -33,15 +33,18 @@ def vase(sheet):
 
 
 def blob(sheet):
-    """A blob whose outline is open on a slant."""
+    """A friendly blob whose outline is open on a slant."""
     sheet.group("blob")
     sheet.outline("236,306 280,200 390,150 500,176 590,130 706,160 772,258 752,370 806,466 778,580 "
                   "676,640 566,612 476,672 356,648 298,560 206,502 190,396", closed=True, passes=3,
                   reach=0.75, gaps="752,206,160 330,606,24 208,352,20")
     sheet.line("290,312 330,236 400,202", "306,330 344,266 400,236", width=1.6, colour=GREY)
-    sheet.line("430,420 440,370 500,352 552,384 548,446 494,474 440,450 446,402 496,380 526,408",
+    sheet.line("402,470 440,510 500,524 560,504 592,458", "394,458 404,476", "586,450 602,462",
                "300,430 316,416 332,430", "640,300 660,290 672,306", "620,520 640,512 650,528",
                "380,540 396,530 406,546", width=1.7)
+    sheet.eye(436, 366, 17, turns=6)
+    sheet.eye(548, 352, 17, turns=6)
+    sheet.line("408,330 432,318 458,328", "524,312 548,302 574,312")
     sheet.hatch("470,660 560,604 672,628 768,572 796,480", "450,628 556,570 660,588 732,542 756,470",
                 32, slant=0.02)
     sheet.hatch("212,500 300,552 356,636", "240,486 322,534 380,608", 14, slant=-0.05)
@@ -60,10 +63,9 @@ def noisy_vase(sheet):
     sheet.outline("392,704 450,716 500,718 552,716 610,704", gaps="530,717,30")
     sheet.line("426,206 500,218 576,204", "398,240 500,256 604,238")
     sheet.line("270,400 380,428 500,436 620,428 732,400", "266,476 380,508 500,516 620,508 736,476")
-    sheet.scrawl(500, 340, 190, 90, 12)
-    sheet.scrawl(500, 460, 225, 120, 14, colour=WARM, width=1.8)
-    sheet.scrawl(500, 580, 170, 95, 12)
-    sheet.scrawl(500, 460, 210, 220, 16, colour=GREY, width=1.5)
+    sheet.scrawl(500, 460, 205, 205, 22)
+    sheet.scrawl(500, 460, 210, 190, 18, colour=WARM, width=1.8)
+    sheet.scrawl(500, 460, 200, 210, 14, colour=GREY, width=1.5)
     sheet.hatch("260,430 270,510 318,594 384,650", "330,420 340,500 380,570 430,620", 26)
     sheet.group("noise")
     sheet.flecks("120,120 180,220 90,330 160,480 110,600 200,690 290,740 300,90 250,180 180,560 "
@@ -89,14 +91,14 @@ def spiral_spine(centre_x, centre_y, outer, pitch, steps):
 
 def spiral(sheet):
     """A spiral arm with two sides, like the young frond of a fern."""
-    spine = "760,716 660,742 550,748 440,726 " + spiral_spine(500, 395, 318, 132, 26)
-    widths = [22, 48, 60, 64, 64, 62, 60, 56, 54]
+    spine = "610,752 530,752 436,724 " + spiral_spine(500, 395, 318, 132, 26)
+    widths = [26, 52, 62, 64, 64, 62, 60, 56, 54]
     band = limb(spine, widths)
     outer, inner = band[: len(band) // 2], limb(spine, [0.5 * w for w in widths])
     sheet.group("construction")
     sheet.guide("470,376 500,395 524,420", "478,412 500,395 530,376", "500,40 620,52 700,90")
     sheet.group("spiral")
     sheet.outline(band, closed=True, gaps="500,48,26 850,420,24 190,500,22")
-    sheet.hatch(outer[4:], inner[4 : len(inner) // 2], 120, slant=0.004)
+    sheet.hatch(outer[2:], inner[2 : len(inner) // 2], 120, slant=0.004)
     sheet.group("noise")
     sheet.flecks("120,140 880,120 900,640 110,660 860,720")
