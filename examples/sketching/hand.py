@@ -48,7 +48,24 @@ class Hand:
         return (gap[0] + self.chance.about(5), gap[1] + self.chance.about(5))
 
     def cut(self, curve, low, high, number, is_whole):
-        """Where one stroke ends and the next begins, at equal effort."""
+        """Where one stroke ends and the next begins, at equal effort: [(from, to)]."""
+        marks, effort = self.effort_along(curve, low, high)
+        count = max(2 if is_whole else 1, round(effort[-1] + self.chance.about(0.5)))
+        if is_whole:
+            phase = self.chance.unit()
+            wobble = [0.0] + [self.chance.about(0.2) for _ in range(count - 1)] + [0.0]
+            shares = [(i + phase + wobble[i]) / count for i in range(count + 1)]
+            joints = [at_effort(marks, effort, share) for share in shares]
+        else:
+            # Every second pass joins its strokes where the others have their middles.
+            phase = 0.5 if number % 2 and count > 1 else 0.0
+            shares = [(i + phase + self.chance.about(0.2)) / count for i in range(count + 1)]
+            inner = [at_effort(marks, effort, share) for share in shares if 0 < share < 1]
+            joints = [low] + [j for j in inner if low + 12 < j < high - 12] + [high]
+        return [(a, b) for a, b in zip(joints, joints[1:]) if b - a > 4]
+
+    def effort_along(self, curve, low, high):
+        """Places along the curve and the effort spent up to each; 1 is what one stroke can do."""
         marks, effort = [low], [0.0]
         while marks[-1] < high:
             s = marks[-1]
@@ -56,19 +73,7 @@ class Hand:
             reach = TIGHT_REACH_PX + (CALM_REACH_PX - TIGHT_REACH_PX) / (1 + tight)
             marks.append(min(high, s + 6.0))
             effort.append(effort[-1] + (marks[-1] - s) / (reach * self.reach))
-        count = max(1, round(effort[-1] + self.chance.about(0.5)))
-        if is_whole:
-            count = max(2, count)
-        phase = self.chance.unit() if is_whole else (0.5 if number % 2 and count > 1 else 0.0)
-        joints = []
-        for i in range(count + 1):
-            share = min(1.0, max(0.0, (i + phase + self.chance.about(0.2)) / count))
-            if is_whole:
-                share = (i + phase + self.chance.about(0.2) * (0 < i < count)) / count
-            joints.append(at_effort(marks, effort, share))
-        if not is_whole:
-            joints = [low] + [j for j in joints if low + 12 < j < high - 12] + [high]
-        return [(a, b) for a, b in zip(joints, joints[1:]) if b - a > 4]
+        return marks, effort
 
     def run_over(self, start, end, low, high, is_whole):
         """A little early, a little late; at a corner or gap only as far as the pen slips."""
@@ -140,7 +145,7 @@ def free_runs(curve, gaps):
 
 def at_effort(marks, effort, share):
     """The place where `share` of the effort is spent; goes round for closed curves."""
-    turns = int(share // 1) if share >= 1.0 and share != 1.0 else 0
+    turns = int(share // 1)
     wanted = (share - turns) * effort[-1]
     length = marks[-1] - marks[0]
     for i in range(1, len(marks)):

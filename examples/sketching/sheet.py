@@ -29,7 +29,7 @@ class Sheet:
         """Starts a group: a candidate layer."""
         self.groups.append((name, []))
 
-    def outline(self, *shapes, closed=False, passes=3, gaps="", width=2.3, loose=1.0, reach=1.0):
+    def outline(self, *shapes, closed=False, passes=3, gaps="", width=2.5, reach=1.0):
         """Contours that matter: several overlapping passes, some bits restated.
 
         shapes  texts or point lists
@@ -37,7 +37,7 @@ class Sheet:
         """
         for points in map(self.designed, shapes):
             chance = self.chance()
-            hand = Hand(chance, drift=2.3 * loose, flare=7.0 * loose, reach=reach)
+            hand = Hand(chance, reach=reach)
             for curve in pieces_of(points, closed):
                 for stroke in hand.passes(curve, passes, self.gaps_on(curve, gaps)):
                     self.add(stroke, INK, width + chance.about(0.6))

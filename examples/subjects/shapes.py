@@ -63,9 +63,13 @@ def noisy_vase(sheet):
     sheet.outline("392,704 450,716 500,718 552,716 610,704", gaps="530,717,30")
     sheet.line("426,206 500,218 576,204", "398,240 500,256 604,238")
     sheet.line("270,400 380,428 500,436 620,428 732,400", "266,476 380,508 500,516 620,508 736,476")
-    sheet.scrawl(500, 460, 205, 205, 22)
-    sheet.scrawl(500, 460, 210, 190, 18, colour=WARM, width=1.8)
-    sheet.scrawl(500, 460, 200, 210, 14, colour=GREY, width=1.5)
+    sheet.scrawl(490, 320, 150, 66, 7)
+    sheet.scrawl(430, 470, 130, 110, 9, colour=WARM, width=1.8)
+    sheet.scrawl(610, 470, 120, 120, 9)
+    sheet.scrawl(500, 600, 150, 56, 8, colour=WARM, width=1.8)
+    sheet.scrawl(500, 460, 215, 215, 6, colour=GREY, width=1.6)
+    sheet.line("300,380 420,440 560,400 700,450", "290,520 430,470 560,560 710,500",
+               "360,610 470,540 520,640 650,590", "420,290 480,360 590,280 640,360")
     sheet.hatch("260,430 270,510 318,594 384,650", "330,420 340,500 380,570 430,620", 26)
     sheet.group("noise")
     sheet.flecks("120,120 180,220 90,330 160,480 110,600 200,690 290,740 300,90 250,180 180,560 "
@@ -91,7 +95,7 @@ def spiral_spine(centre_x, centre_y, outer, pitch, steps):
 
 def spiral(sheet):
     """A spiral arm with two sides, like the young frond of a fern."""
-    spine = "610,752 530,752 436,724 " + spiral_spine(500, 395, 318, 132, 26)
+    spine = "470,734 400,710 " + spiral_spine(500, 395, 318, 132, 26)
     widths = [26, 52, 62, 64, 64, 62, 60, 56, 54]
     band = limb(spine, widths)
     outer, inner = band[: len(band) // 2], limb(spine, [0.5 * w for w in widths])
