@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simplify/cell_cut.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -60,6 +61,16 @@ Capacities weigh(Cells const& cells, CutOptions const& options) {
 }
 
 }  // namespace
+
+double paper_weight_for_gap(CutOptions const& options) {
+  if (!options.gap_px) return options.paper_weight;
+  // The outline of a shape some 200 frame px across.
+  constexpr double kPayingInk_px = 600;
+  // A right corner is cut when its two sides pull more than its diagonal costs: at a weight of sqrt(2) times that of ink.
+  double const least = 1.6 * options.ink_weight;
+  return std::clamp(options.ink_weight * kPayingInk_px / *options.gap_px,
+                    std::min(least, options.paper_weight), options.paper_weight);
+}
 
 Result<CellLabels> label_cells(Cells const& cells, CutOptions const& options) {
   auto capacities = weigh(cells, options);

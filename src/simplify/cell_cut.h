@@ -23,6 +23,10 @@ struct CutOptions {
   std::vector<Vec2> inside;   // frame px; the cells that hold these belong to the shape
 };
 
+/// What paper costs per px when gaps may be so long: at most paper_weight; for long gaps less, so that a gap of that length pays for
+/// a shape some 200 frame px across. Never so little that corners of 90 degrees are cut.
+double paper_weight_for_gap(CutOptions const& options);
+
 /// Labels the cells at the least energy: ink pulls the cells on both its sides inside, paper resists the outline that crosses it.
 /// Exact: one minimum cut.
 ///

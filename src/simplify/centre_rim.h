@@ -7,9 +7,10 @@
 namespace inkflate {
 
 struct CentreOptions {
-  double reach_px = 14;  // > 0, frame px; no stroke farther inside than this belongs to the outline
-  double gap_px =
-      5;  // > 0, frame px; strokes farther apart than this are two lines, not one that was drawn twice
+  // > 0, frame px; no stroke farther inside than this belongs to the outline.
+  double reach_px = 16;
+  // > 0, frame px; strokes farther apart than this are two lines, not one that was drawn twice.
+  double gap_px = 7;
 };
 
 /// Where the outline is meant to run. The cut follows the outermost of overdrawn strokes; this moves every corner of the rim to the

@@ -25,8 +25,8 @@ constexpr double kMostCornerMove_px = 12;
 // Sides that turn by less than 25 degrees do not say where they meet: |sin|.
 constexpr double kLeastSideSine = 0.42;
 
-// The direction of a stroke's end, for closings, is taken over this length, frame px.
-constexpr double kEndReach_px = 9;
+// The direction at the end of a chain is taken over this length, frame px: over less, one sample that is a little off tilts the curve.
+constexpr double kEndReach_px = 12;
 // A closing flows on only if it turns by less than 55 degrees at either end: cos.
 constexpr double kLeastFlow = 0.57;
 
@@ -225,8 +225,8 @@ std::vector<FittedCubic> fit_ink(ChainPoints& chain, bool closed, FitOptions con
     points.push_back(points.front());
   } else {
     smooth_twice(points, [&](Polyline& p) { smooth_open(p, radius); });
-    auto const near_start = points[std::min<std::ptrdiff_t>(2, std::ssize(points) - 1)];
-    auto const near_end = points[std::max<std::ptrdiff_t>(0, std::ssize(points) - 3)];
+    auto const near_start = points[index_at(points, kEndReach_px, 1)];
+    auto const near_end = points[index_at(points, kEndReach_px, -1)];
     start = normalized(near_start - points.front());
     end = normalized(points.back() - near_end);
   }

@@ -42,15 +42,12 @@ std::optional<Error> check(Sketch const& sketch) {
   return std::nullopt;
 }
 
-/// The frame spans all strokes; dots count only if there is nothing else.
 Frame frame_of(Sketch const& sketch) {
-  Rect strokes;
-  Rect dots;
+  Rect box;
   for (auto const& stroke : sketch.strokes) {
-    auto& box = stroke.samples.size() > 1 ? strokes : dots;
     for (auto const& sample : stroke.samples) box.include(sample.position);
   }
-  return Frame::around(strokes.is_empty() ? dots : strokes);
+  return Frame::around(box);
 }
 
 /// The strokes of each group, the ungrouped ones last.

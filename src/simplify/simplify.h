@@ -28,9 +28,9 @@ enum class Parts {
 
 struct SimplifyOptions {
   SimplifyMethod method = SimplifyMethod::Cut;
-  std::optional<double> gap_px;  // > 0: no closing is longer; none: as the energy balances
-  std::vector<Vec2> outside;     // these places are background
-  std::vector<Vec2> inside;      // these places belong to the shape
+  std::optional<double> gap_px = {};  // > 0: no closing is longer; none: as the energy balances
+  std::vector<Vec2> outside = {};     // these places are background
+  std::vector<Vec2> inside = {};      // these places belong to the shape
   Holes holes = Holes::Keep;
   Parts parts = Parts::All;
   double smooth = 0.5;  // 0 .. 1: how far a contour may leave the pen's jitter to be smooth

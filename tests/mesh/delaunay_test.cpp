@@ -81,7 +81,7 @@ TEST(Delaunay, CocircularAndCollinearPointsAreNoSpecialCase) {
   }
   expect_delaunay(lattice, "square lattice");
   Points circle;
-  for (auto const &[x, y] : {std::pair{25, 0}, {24, 7}, {20, 15}, {15, 20}, {7, 24}}) {
+  for (auto const& [x, y] : {std::pair{25, 0}, {24, 7}, {20, 15}, {15, 20}, {7, 24}}) {
     for (int const sx : {-1, 1}) {
       for (int const sy : {-1, 1}) {
         circle.push_back({100 + sx * x, 100 + sy * y});
