@@ -20,7 +20,7 @@ struct GridOptions {
   std::vector<Vec2> inside;   // finite; see cut_grid
 };
 
-/// The largest raster: 60 bytes per pixel are a gigabyte then.
+/// The largest raster: 70 bytes per pixel are 1.2 GB then.
 inline constexpr int kMaxGridSidePx = 4096;
 
 /// Closes a rough sketch on the pixels of its canvas, as the thesis does it: strokes are drawn one pixel wide, a
