@@ -39,8 +39,8 @@ enum class CutTies {
 
 /// Finds minimum cuts; keeps its memory from one call to the next. 26 + 4 kDegree bytes per node.
 ///
-/// source  Boykov and Kolmogorov 2004, section 3 (two search trees that survive augmentation); distances and
-///         timestamps as in Kolmogorov's thesis, 2003, section 2.3
+/// source  Boykov and Kolmogorov 2004, section 3: two search trees that survive augmentation. Not in the paper:
+///         distances to the root, stamped with the round, make orphans take the nearest parent at little cost
 template <CutTopology Topology>
 class MinCut {
  public:
