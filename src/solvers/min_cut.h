@@ -37,10 +37,10 @@ enum class CutTies {
   LargestSource,   // the sink's side: what still reaches the sink
 };
 
-/// Finds minimum cuts; keeps its memory from one call to the next. About 24 + 4 kDegree bytes per node.
+/// Finds minimum cuts; keeps its memory from one call to the next. 26 + 4 kDegree bytes per node.
 ///
-/// source  Boykov and Kolmogorov 2004, section 3 (two search trees that survive augmentation); distances and
-///         timestamps as in Kolmogorov's thesis, 2003, section 2.3
+/// source  Boykov and Kolmogorov 2004, section 3: two search trees that survive augmentation. Not in the paper:
+///         distances to the root, stamped with the round, make orphans take the nearest parent at little cost
 template <CutTopology Topology>
 class MinCut {
  public:
@@ -195,6 +195,15 @@ void MinCut<Topology>::reset(Topology const& topology, std::span<std::int32_t co
   CHECK(count <= std::numeric_limits<int>::max() / kDegree, "arcs are numbered by int");
   CHECK(std::ssize(capacities) == static_cast<std::ptrdiff_t>(count) * kDegree, "one per arc");
   CHECK(std::ssize(terminals) == count, "one pair of terminal capacities per node");
+  for (int arc = 0; arc < count * kDegree; ++arc) {
+    [[maybe_unused]] auto const is_legal = [&] {
+      int const reverse = topology.reverse(arc);
+      if (reverse < 0) return true;
+      return topology.reverse(reverse) == arc && capacities[arc] >= 0 &&
+             capacities[reverse] <= kFar - capacities[arc];
+    };
+    DCHECK(is_legal(), "arcs come in pairs whose capacities fit into 32 bits together");
+  }
   residual_.assign(capacities.begin(), capacities.end());
   nodes_.assign(static_cast<std::size_t>(count), Node{});
   tree_.assign(static_cast<std::size_t>(count), Tree::None);

@@ -157,10 +157,11 @@ void expect_as_reference(Topology const& topology, Problem const& problem) {
 
 /// A strip of triangles with random gluings: few neighbours, long ways, some arcs that lead nowhere.
 Cells random_cells(int count, Rng& rng) {
-  Cells cells{std::vector<int>(static_cast<std::size_t>(count) * Cells::kDegree, -1)};
+  Cells cells{std::vector<int>(static_cast<std::size_t>(count) * 3U, -1)};
   for (int n = 0; n + 1 < count; ++n) {
-    cells.twins[n * 3] = n * 3 + 4;
-    cells.twins[n * 3 + 4] = n * 3;
+    int const arc = n * Cells::kDegree;
+    cells.twins[arc] = arc + 4;
+    cells.twins[arc + 4] = arc;
   }
   for (int n = 0; n < count; ++n) {
     int const other = n + rng.below(std::min(30, count - n));
