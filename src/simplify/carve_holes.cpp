@@ -18,10 +18,10 @@ constexpr double kPassage_px = 10;
 constexpr double kLeastHoleShare = 0.015;
 
 // What lies this near to a line belongs to it, frame px: the width of a line that was drawn several times.
-constexpr double kBand_px = 12;
+constexpr double kBand_px = 16;
 
 // Of a hole's rim may be silhouette.
-constexpr double kMostSilhouette = 0.08;
+constexpr double kMostSilhouette = 0.1;
 
 // Ink inside of a hole, as a share of the root of its area: a slip of the pen.
 constexpr double kMostInnerInk = 0.15;

@@ -40,8 +40,7 @@ Capacities weigh(Cells const& cells, CutOptions const& options) {
       options.gap_px ? *options.gap_px : std::numeric_limits<double>::infinity();
   // In lattice units, so that whole numbers are fine enough.
   double const ink_weight = options.ink_weight * Frame::kLatticePerPx;
-  double const paper_weight =
-      options.gap_px ? ink_weight : options.paper_weight * Frame::kLatticePerPx;
+  double const paper_weight = paper_weight_for_gap(options) * Frame::kLatticePerPx;
   for (int e = 0; e < std::ssize(capacities.arcs); ++e) {
     double const length = cells.length_px(e);
     auto& terminal = capacities.terminals[e / 3];
@@ -60,6 +59,49 @@ Capacities weigh(Cells const& cells, CutOptions const& options) {
   return capacities;
 }
 
+/// From p to the nearest stroke, frame px.
+double clearance(Cells const& cells, Vec2 p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (auto const& sample : cells.samples.points)
+    nearest = std::min(nearest, squared_norm(sample.position - p));
+  return std::sqrt(nearest);
+}
+
+/// The cells that stand for a mark: the one that holds it and those in the middle of the paper around it.
+std::vector<int> free_disc(Cells const& cells, Vec2 mark) {
+  double const radius = clearance(cells, mark);
+  std::vector<int> found = {find_cell(cells, mark)};
+  for (int t = 0; t < cells.count(); ++t) {
+    auto const middle =
+        (cells.position(cells.corner(3 * t)) + cells.position(cells.corner(3 * t + 1)) +
+         cells.position(cells.corner(3 * t + 2))) /
+        3;
+    if (t != found.front() && squared_norm(middle - mark) < radius * radius) found.push_back(t);
+  }
+  return found;
+}
+
+/// The filled bay or region that a mark is in: all cells labelled inside that can be reached from it through passages more than half
+/// as wide as the paper is free around the mark. One click opens it to its end.
+std::vector<int> marked_bay(Cells const& cells, CellLabels const& labels, Vec2 mark) {
+  int const first = find_cell(cells, mark);
+  if (first < 0) return {};
+  double const passage_px = clearance(cells, mark);
+  std::vector<int> found = {first};
+  std::vector<std::uint8_t> is_found(labels.size(), 0);
+  is_found[first] = 1;
+  for (std::size_t next = 0; next < found.size(); ++next) {
+    for (int e = 3 * found[next]; e < 3 * found[next] + 3; ++e) {
+      int const other = cells.twin(e) / 3;
+      if (cells.twin(e) < 0 || labels[other] == 0 || is_found[other] != 0) continue;
+      if (cells.is_ink(e) || cells.length_px(e) <= passage_px) continue;
+      is_found[other] = 1;
+      found.push_back(other);
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 double paper_weight_for_gap(CutOptions const& options) {
@@ -73,22 +115,25 @@ double paper_weight_for_gap(CutOptions const& options) {
 }
 
 Result<CellLabels> label_cells(Cells const& cells, CutOptions const& options) {
+  CellTopology const topology(cells);
   auto capacities = weigh(cells, options);
-  for (auto const mark : options.outside) {
-    int const cell = find_cell(cells, mark);
-    if (cell >= 0) capacities.terminals[cell].sink = kForced;
-  }
   for (int i = 0; i < std::ssize(options.inside); ++i) {
     int const cell = find_cell(cells, options.inside[i]);
     if (cell < 0) {
       return Error{ErrorCode::BadOption,
                    "an inside mark lies beyond the strokes: put it between them", i};
     }
-    capacities.terminals[cell].source = kForced;
+    for (int const marked : free_disc(cells, options.inside[i])) {
+      capacities.terminals[marked].source = kForced;
+    }
   }
-  return minimum_cut(CellTopology(cells), capacities.arcs, capacities.terminals,
-                     CutTies::SmallestSource)
-      .in_source;
+  auto labels = minimum_cut(topology, capacities.arcs, capacities.terminals).in_source;
+  if (options.outside.empty()) return labels;
+  for (auto const mark : options.outside) {
+    for (int const marked : marked_bay(cells, labels, mark))
+      capacities.terminals[marked] = {0, kForced};
+  }
+  return minimum_cut(topology, capacities.arcs, capacities.terminals).in_source;
 }
 
 }  // namespace inkflate

@@ -30,6 +30,8 @@ double paper_weight_for_gap(CutOptions const& options);
 /// Labels the cells at the least energy: ink pulls the cells on both its sides inside, paper resists the outline that crosses it.
 /// Exact: one minimum cut.
 ///
+/// Marks are terminal links (as the scribbles of LazyBrush, Sykora et al. 2009) on the cells that a person means by a click.
+///
 /// errors  BadOption (an inside mark beyond the hull of the strokes)
 /// cost    near linear in the number of cells; about 0.1 us each
 /// source  thesis section 3.2; docs/algorithms/simplify.md, "The cut"
