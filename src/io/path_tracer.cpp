@@ -66,6 +66,7 @@ bool PathTracer::begin_drawing() {
   if (fault_ != TraceFault::None) return false;
   if (is_drawing_) return true;
   is_drawing_ = true;
+  is_just_closed_ = false;
   subpaths_.emplace_back();
   return accept(to_canvas_(position_));
 }
@@ -88,6 +89,7 @@ void PathTracer::draw(Cubic const& curve) {
 void PathTracer::move_to(Vec2 to) {
   position_ = start_ = to;
   is_drawing_ = false;
+  is_just_closed_ = false;
 }
 
 void PathTracer::line_to(Vec2 to) {
@@ -123,11 +125,13 @@ void PathTracer::arc_to(EndpointArc const& arc) {
 }
 
 void PathTracer::close() {
+  if (is_just_closed_) return;
   if (begin_drawing()) {
     auto const& subpath = subpaths_.back();
     if (subpath.size() < 2 || subpath.back() != subpath.front()) accept(Vec2(subpath.front()));
   }
   move_to(start_);
+  is_just_closed_ = true;
 }
 
 void PathTracer::ellipse(Vec2 centre, Vec2 radii) {

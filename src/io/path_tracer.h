@@ -56,7 +56,8 @@ class PathTracer {
   TraceFault fault_ = TraceFault::None;
   Vec2 position_;
   Vec2 start_;
-  bool is_drawing_ = false;  // the current subpath has its first point in subpaths_
+  bool is_drawing_ = false;      // the current subpath has its first point in subpaths_
+  bool is_just_closed_ = false;  // closing again would draw a dot
   std::vector<Polyline> subpaths_;
 };
 
