@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The sheet a subject is drawn on: what a subject module may ask for."""
+
+from sketching.chance import Chance
+from sketching.curve import Curve, blend, parse, pieces_of, smooth_through
+from sketching.hand import Hand, scribble, straight
+
+INK, GREY, BLUE = "#22242b", "#6a6f7d", "#a9bedb"
+WARM, GREEN, TEAL = "#b4533c", "#5d8a54", "#159c95"
+NEAR_PX = 14.0  # a gap is asked for by a place; it lies on every curve that passes this near
+
+
+class Mark:
+    """One stroke as it will be written: points, colour, width in px, and whether it is a help line."""
+
+    def __init__(self, points, colour=INK, width=2.4, is_help=False):
+        self.points, self.colour, self.width, self.is_help = points, colour, width, is_help
+
+
+class Sheet:
+    """A drawing: named groups of marks, in the order in which they are drawn."""
+
+    def __init__(self, name, title):
+        self.name, self.title = name, title
+        self.groups = []
+        self.place = lambda x, y: (x, y)  # moves designed points; set while a tilted part is drawn
+
+    def group(self, name):
+        """Starts a group: a candidate layer."""
+        self.groups.append((name, []))
+
+    def outline(self, *shapes, closed=False, passes=3, gaps="", width=2.5, loose=1.0, reach=1.0):
+        """Contours that matter: several overlapping passes, some bits restated.
+
+        shapes  texts or point lists
+        gaps    "x,y,length ...": nothing is drawn for `length` px around the place x,y
+        """
+        for points in map(self.designed, shapes):
+            chance = self.chance()
+            hand = Hand(chance, drift=1.7 * loose, flare=4.5 * loose, reach=reach)
+            for curve in pieces_of(points, closed):
+                for number, stroke in enumerate(hand.passes(curve, passes, self.gaps_on(curve, gaps))):
+                    self.add(stroke, INK, width + chance.about(0.5) - (0.3 if number == 0 else 0))
+
+    def line(self, *shapes, closed=False, width=1.9, colour=INK, loose=1.0):
+        """Inner detail: drawn once."""
+        for points in map(self.designed, shapes):
+            chance = self.chance()
+            hand = Hand(chance, drift=1.1 * loose, flare=2.5 * loose, reach=1.6, skip=0)
+            for curve in pieces_of(points, closed):
+                for stroke in hand.passes(curve, 1):
+                    self.add(stroke, colour, width + chance.about(0.25))
+
+    def hatch(self, start, end, count, colour=GREY, width=1.4):
+        """Shading: `count` quick lines from the curve `start` to the curve `end`."""
+        chance = self.chance()
+        first = Curve(smooth_through([p[:2] for p in self.designed(start)]))
+        last = Curve(smooth_through([p[:2] for p in self.designed(end)]))
+        for i in range(count):
+            t = (i + 0.5 + chance.about(0.3)) / count
+            a, b = first.point(t * first.length), last.point(t * last.length)
+            a, b = blend(a, b, chance.between(-0.06, 0.14)), blend(a, b, chance.between(0.8, 1.08))
+            self.add(straight(chance, a, b), colour, width + chance.about(0.2))
+
+    def eye(self, x, y, radius, turns=4, colour=INK, width=2.0):
+        self.add(scribble(self.chance(), *self.place(x, y), radius, turns), colour, width)
+
+    def scrawl(self, x, y, radius_x, radius_y, count, colour=INK, width=2.0):
+        """Careless long strokes all over an ellipse."""
+        chance = self.chance()
+        for _ in range(count):
+            slant, points = chance.between(-1, 1), []
+            height = chance.about(0.9)
+            half = 1 - height * height
+            for i in range(5):
+                t = (i / 2 - 1) * half * 0.9
+                points.append((x + radius_x * (t + chance.about(0.1)),
+                               y + radius_y * (height + slant * t * 0.5 + chance.about(0.12))))
+            curve = Curve(smooth_through(points))
+            hand = Hand(chance, drift=2.0)
+            self.add(hand.follow(curve, 0, curve.length), colour, width + chance.about(0.4))
+
+    def guide(self, *shapes, closed=False):
+        """Light construction lines, meant to be ignored."""
+        self.line(*shapes, closed=closed, width=1.3, colour=BLUE, loose=1.5)
+
+    def flecks(self, places, colour=INK):
+        """Where the pen touched the paper by mistake: short strokes at "x,y x,y"."""
+        chance = self.chance()
+        for x, y, _ in self.designed(places):
+            dx, dy = chance.about(16), chance.about(12)
+            self.add(straight(chance, (x, y), (x + dx, y + dy)), colour, 1.6 + chance.about(0.3))
+
+    def help(self, *shapes):
+        """Help lines: close an open side without being part of the drawing."""
+        for points in map(self.designed, shapes):
+            hand = Hand(self.chance(), drift=0.8, flare=1.0)
+            for curve in pieces_of(points):
+                self.add(hand.follow(curve, 0, curve.length), TEAL, 2.4, is_help=True)
+
+    def designed(self, shape):
+        points = parse(shape) if isinstance(shape, str) else shape
+        return [(*self.place(x, y), corner) for x, y, corner in points]
+
+    def gaps_on(self, curve, text):
+        gaps = []
+        for word in text.split():
+            x, y, length = map(float, word.split(","))
+            s, away = curve.nearest(self.place(x, y))
+            if away < NEAR_PX:
+                gaps.append((s - length / 2, s + length / 2))
+        return gaps
+
+    def chance(self):
+        group, marks = self.groups[-1]
+        return Chance(f"{self.name}/{group}/{len(marks)}")
+
+    def add(self, points, colour, width, is_help=False):
+        self.groups[-1][1].append(Mark(points, colour, width, is_help))
