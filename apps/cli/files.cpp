@@ -51,22 +51,22 @@ struct TemporaryFile {
 };
 
 // Never opens a file that exists: someone may have put a link there. The name does not grow with the target's.
-Result<TemporaryFile> make_temporary(std::string const& folder, mode_t mode) {
+Result<TemporaryFile> make_temporary(std::string const& folder) {
   constexpr int kTries = 1000;
   for (int i = 0; i < kTries; ++i) {
     std::string const path =
         folder + "/.inkflate-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp";
-    Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+    Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (descriptor.is_open()) return TemporaryFile{path, std::move(descriptor)};
-    if (errno != EEXIST) return system_error("cannot write", errno);
+    if (errno != EEXIST) return system_error("cannot write into " + folder, errno);
   }
-  return system_error("cannot write", EEXIST);
+  return system_error("cannot write into " + folder, EEXIST);
 }
 
 std::optional<Error> replace_file(std::string const& path, std::span<std::byte const> content) {
   struct stat old = {};
   bool const keeps_mode = ::lstat(path.c_str(), &old) == 0 && S_ISREG(old.st_mode);
-  auto temporary = make_temporary(folder_of(path), 0666);
+  auto temporary = make_temporary(folder_of(path));
   if (!temporary) return temporary.error();
   auto& descriptor = temporary->descriptor;
   // Rights that cannot be kept are no reason to lose the work.
@@ -77,17 +77,12 @@ std::optional<Error> replace_file(std::string const& path, std::span<std::byte c
   if (!is_done) {
     int const number = errno;
     ::unlink(temporary->path.c_str());
-    return system_error("cannot write", number);
+    return system_error("cannot write " + path, number);
   }
   // The new name has to reach the disk too; where a folder cannot be synced there is nothing more to do.
   Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.is_open() && ::fsync(folder.number()) != 0) errno = 0;
   return std::nullopt;
-}
-
-std::optional<Error> write_stream(int descriptor, std::span<std::byte const> content) {
-  if (write_all(descriptor, content)) return std::nullopt;
-  return system_error("cannot write", errno);
 }
 
 }  // namespace
@@ -100,15 +95,18 @@ Result<std::vector<std::byte>> read_file(std::string const& path) {
 }
 
 std::optional<Error> write_file(std::string const& path, std::span<std::byte const> content) {
-  if (path == kStandardStream) return write_stream(STDOUT_FILENO, content);
+  if (path == kStandardStream) {
+    if (write_all(STDOUT_FILENO, content)) return std::nullopt;
+    return system_error("cannot write to standard output", errno);
+  }
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode)) {
     return replace_file(path, content);
   }
-  if (S_ISDIR(status.st_mode)) return system_error("cannot write", EISDIR);
+  if (S_ISDIR(status.st_mode)) return system_error("cannot write " + path, EISDIR);
   Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!descriptor.is_open()) return system_error("cannot write", errno);
-  return write_stream(descriptor.number(), content);
+  if (descriptor.is_open() && write_all(descriptor.number(), content)) return std::nullopt;
+  return system_error("cannot write " + path, errno);
 }
 
 std::optional<Error> write_file(std::string const& path, std::string_view content) {

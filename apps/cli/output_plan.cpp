@@ -48,6 +48,14 @@ Result<std::vector<std::string>> plan_outputs(std::vector<std::string> const& in
   return outputs;
 }
 
+std::optional<Error> make_folder(std::string const& name) {
+  if (!name.ends_with('/')) return std::nullopt;
+  std::error_code error;
+  fs::create_directories(name, error);
+  if (!error) return std::nullopt;
+  return Error{ErrorCode::FileSystem, "cannot make " + name + ": " + error.message()};
+}
+
 std::optional<Error> find_collision(std::vector<std::string> const& inputs,
                                     std::vector<std::string> const& outputs) {
   std::set<std::string> taken;

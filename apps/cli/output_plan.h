@@ -23,6 +23,11 @@ struct OutputRule {
 Result<std::vector<std::string>> plan_outputs(std::vector<std::string> const& inputs,
                                               OutputRule const& rule);
 
+/// Makes the folder, and those above it, of a name that ends with a slash; other names are left alone.
+///
+/// out     nothing: done; else FileSystem
+std::optional<Error> make_folder(std::string const& name);
+
 /// Refuses (BadOption) a file that would be written twice, or that is one of the inputs. Empty paths and "-" for
 /// standard output do not count.
 std::optional<Error> find_collision(std::vector<std::string> const& inputs,

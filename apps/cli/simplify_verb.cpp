@@ -142,18 +142,24 @@ Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, in
 ExitStatus run_simplify_verb(SimplifyCall const& call) {
   auto const plan = make_plan(call);
   if (!plan) return refuse(call.shared, plan.error());
+  for (auto const& folder : {call.shared.output, call.picture}) {
+    if (auto const error = make_folder(folder)) return refuse(call.shared, *error);
+  }
   ProgressLine line(call.shared.is_quiet ? ProgressLine::Mode::Off : ProgressLine::Mode::Automatic);
   return run_batch(call.shared,
                    [&](int index) { return simplify_one(call, *plan, index, line); });
 }
 
 template <typename Choice>
+using Choices = std::map<std::string, Choice>;
+
+template <typename Choice>
 void add_choice(CLI::App& verb, std::string const& name, Choice& choice,
-                std::map<std::string, Choice> const& choices, std::string const& description) {
+                Choices<Choice> const& choices, std::string const& description) {
   std::string words;
   for (auto const& [word, value] : choices) words += (words.empty() ? "" : "|") + word;
-  verb.add_option(name, choice, description)
-      ->transform(CLI::Transformer(choices).description(""))
+  auto const choose = [&choice, choices](std::string const& word) { choice = choices.at(word); };
+  verb.add_option_function<std::string>(name, choose, description)
       ->check(CLI::IsMember(choices).description(""))
       ->type_name(words);
 }

@@ -91,9 +91,9 @@ std::vector<std::string> includes_of(std::string_view text) {
     line.erase(std::remove_if(line.begin(), line.end(),
                               [](char c) { return c == ' ' || c == '\t' || c == '\r'; }),
                line.end());
-    std::string_view const kDirective = "#include";
-    if (!line.starts_with(kDirective)) continue;
-    line.erase(0, kDirective.size());
+    std::string_view const directive = "#include";
+    if (!line.starts_with(directive)) continue;
+    line.erase(0, directive.size());
     auto const last = line.find_first_of("\">", 1);
     if (last != std::string::npos) result.push_back(line.substr(0, last + 1));
   }
