@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/own_svg.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "io/numbers.h"
+#include "io/path_tracer.h"
+#include "io/svg_colour.h"
+#include "io/svg_style.h"
+#include "io/xml_text.h"
+
+namespace inkflate {
+namespace {
+
+constexpr int kSampleLimit = 5'000'000;
+
+// The functions below return false where the text is damaged.
+
+bool take_char(std::string_view& text, char wanted) {
+  skip_separator(text, Separator::Blank);
+  if (text.empty() || text.front() != wanted) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+bool take_finite(std::string_view& text, double& number) {
+  skip_separator(text, Separator::Blank);
+  auto const taken = take_number(text);
+  number = taken.value_or(0);
+  return taken && std::isfinite(*taken);
+}
+
+bool take_point(std::string_view& text, Vec2& point) {
+  return take_finite(text, point.x) && take_finite(text, point.y) &&
+         std::abs(point.x) <= kCoordinateLimit && std::abs(point.y) <= kCoordinateLimit;
+}
+
+bool parse_size(std::string_view text, double& size) {
+  return take_finite(text, size) && size >= 0 && size <= kCoordinateLimit && text.empty();
+}
+
+bool parse_indices(std::string_view text, int count, std::vector<int>& indices) {
+  skip_separator(text, Separator::Blank);
+  while (!text.empty()) {
+    auto const index = take_index(text);
+    if (!index || *index >= count) return false;
+    indices.push_back(*index);
+    skip_separator(text, Separator::Blank);
+  }
+  return true;
+}
+
+bool parse_samples(std::string_view path, std::optional<std::string_view> pressures,
+                   std::vector<Sample>& samples) {
+  while (!(path = trimmed(path)).empty()) {
+    if (samples.size() < 2) take_char(path, samples.empty() ? 'M' : 'L');
+    Sample sample;
+    bool const is_whole = take_point(path, sample.position) &&
+                          (!pressures || take_finite(*pressures, sample.pressure));
+    if (!is_whole) return false;
+    samples.push_back(sample);
+  }
+  return !pressures || trimmed(*pressures).empty();
+}
+
+bool parse_stroke(SvgElement const& element, int group_count, Stroke& stroke) {
+  if (element["class"] == "help") stroke.kind = StrokeKind::HelpLine;
+  auto const colour = parse_colour(element["stroke"]);
+  if (!colour || !parse_size(element["stroke-width"], stroke.width_px)) return false;
+  auto opacity_text = element.find("stroke-opacity").value_or("1");
+  double opacity = 1;
+  if (!take_finite(opacity_text, opacity)) return false;
+  stroke.colour = with_opacity(*colour, opacity);
+  if (auto group = element.find("inkflate:group")) {
+    auto const index = take_index(*group);
+    if (!index || *index >= group_count) return false;
+    stroke.group = *index;
+  }
+  return parse_samples(element["d"], element.find("inkflate:pressure"), stroke.samples);
+}
+
+bool parse_kinds(std::string_view text, std::vector<Outline>& outlines) {
+  while (!(text = trimmed(text)).empty()) {
+    outlines.emplace_back();
+    auto& pieces = outlines.back().pieces;
+    while (!text.empty() && !is_blank(text.front())) {
+      char const letter = text.front();
+      text.remove_prefix(1);
+      auto const count = take_index(text);
+      auto const room = kSampleLimit - static_cast<int>(std::ssize(pieces));
+      if (!count || *count == 0 || *count > room) return false;
+      if (letter != 'i' && letter != 'h' && letter != 'c') return false;
+      auto const kind = letter == 'i'   ? RunKind::Ink
+                        : letter == 'h' ? RunKind::HelpLine
+                                        : RunKind::Closing;
+      pieces.insert(pieces.end(), static_cast<std::size_t>(*count), OutlinePiece{{}, kind});
+    }
+  }
+  return true;
+}
+
+bool parse_curves(std::string_view path, std::vector<Outline>& outlines) {
+  for (auto& outline : outlines) {
+    Vec2 position;
+    if (!take_char(path, 'M') || !take_point(path, position) || !take_char(path, 'C')) return false;
+    Vec2 const start = position;
+    for (auto& piece : outline.pieces) {
+      auto& control = piece.curve.control;
+      control[0] = position;
+      for (std::size_t i = 1; i < 4; ++i) {
+        if (!take_point(path, control[i])) return false;
+      }
+      position = control[3];
+    }
+    if (!take_char(path, 'Z') || position != start) return false;
+  }
+  return trimmed(path).empty();
+}
+
+bool take_source(std::string_view& text, int stroke_count, InkSource& source) {
+  double stroke = -1;
+  bool const is_whole = take_finite(text, source.from) && take_finite(text, source.to) &&
+                        take_finite(text, stroke) && take_finite(text, source.sample_from) &&
+                        take_finite(text, source.sample_to) && take_char(text, ',');
+  if (!is_whole || stroke < -1 || stroke >= stroke_count || stroke != std::floor(stroke)) {
+    return false;
+  }
+  source.stroke = static_cast<int>(stroke);
+  return true;
+}
+
+bool parse_sources(std::string_view text, int stroke_count, std::vector<Outline>& outlines) {
+  for (auto& outline : outlines) {
+    while (!take_char(text, ';')) {
+      InkSource source;
+      if (!take_source(text, stroke_count, source)) return false;
+      outline.sources.push_back(source);
+    }
+  }
+  return trimmed(text).empty();
+}
+
+class OwnReader {
+ public:
+  explicit OwnReader(SvgTree const& tree) : tree_(tree) {}
+
+  Result<Drawing> read() && {
+    auto const root = tree_.element(0);
+    auto& sketch = drawing_.sketch;
+    bool const has_size =
+        parse_size(root["width"], sketch.width_px) && parse_size(root["height"], sketch.height_px);
+    if (!has_size) return damaged(0);
+    // Strokes first: layers refer to them, wherever another program may have moved the groups.
+    for (auto const wanted : {kRoughClass, kLayerClass}) {
+      for (int i = 1; i < tree_.nodes[0].end; i = end_of(i)) {
+        auto const child = tree_.element(i);
+        if (child.name() != "g" || child["class"] != wanted) continue;
+        auto const bad_node = wanted == kRoughClass ? read_rough(i) : read_layer(i, child);
+        if (bad_node) return damaged(*bad_node);
+        if (sample_count_ > kSampleLimit) {
+          return Error{ErrorCode::TooLarge, "the drawing has more than 5 000 000 samples"};
+        }
+      }
+    }
+    if (!parse_indices(root["inkflate:stray"], stroke_count(), drawing_.stray)) return damaged(0);
+    return std::move(drawing_);
+  }
+
+ private:
+  int end_of(int node) const { return tree_.nodes[static_cast<std::size_t>(node)].end; }
+  int stroke_count() const { return static_cast<int>(std::ssize(drawing_.sketch.strokes)); }
+
+  Error damaged(int node) const {
+    auto const offset = tree_.nodes[static_cast<std::size_t>(node)].offset;
+    return {ErrorCode::BadInput,
+            "the drawing data of this Inkflate SVG is damaged (element at byte " +
+                std::to_string(offset) + "); the file may have been changed by another program",
+            static_cast<long long>(offset)};
+  }
+
+  // These return the element that is damaged, if one is.
+
+  std::optional<int> read_rough(int group) {
+    auto& sketch = drawing_.sketch;
+    for (int i = group + 1; i < end_of(group); i = end_of(i)) {
+      auto const element = tree_.element(i);
+      if (element.full_name() == "inkflate:group") {
+        sketch.groups.push_back(clean_utf8(element["name"]));
+      } else if (element.name() == "path") {
+        Stroke stroke;
+        int const group_count = static_cast<int>(std::ssize(sketch.groups));
+        if (!parse_stroke(element, group_count, stroke)) return i;
+        sample_count_ += std::ssize(stroke.samples);
+        if (sample_count_ > kSampleLimit) return std::nullopt;
+        sketch.strokes.push_back(std::move(stroke));
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<int> read_layer(int group, SvgElement const& element) {
+    Layer layer;
+    layer.name = clean_utf8(element["inkflate:name"]);
+    bool const has_lists =
+        parse_indices(element["inkflate:strokes"], stroke_count(), layer.strokes) &&
+        parse_indices(element["inkflate:details"], stroke_count(), layer.details);
+    if (!has_lists) return group;
+    for (int i = group + 1; i < end_of(group); i = end_of(i)) {
+      auto const child = tree_.element(i);
+      if (child.name() != "path" || child["class"] != "fill") continue;
+      bool const is_whole =
+          layer.outlines.empty() && parse_kinds(child["inkflate:kinds"], layer.outlines) &&
+          parse_curves(child["d"], layer.outlines) &&
+          parse_sources(child["inkflate:sources"], stroke_count(), layer.outlines);
+      if (!is_whole) return i;
+    }
+    drawing_.layers.push_back(std::move(layer));
+    return std::nullopt;
+  }
+
+  SvgTree const& tree_;
+  Drawing drawing_;
+  long long sample_count_ = 0;
+};
+
+}  // namespace
+
+bool is_own_svg(SvgTree const& tree) {
+  if (tree.element(0)["xmlns:inkflate"] != kOwnNamespace) return false;
+  for (int i = 1; i < tree.nodes[0].end; i = tree.nodes[static_cast<std::size_t>(i)].end) {
+    if (tree.element(i)["class"] == kRoughClass) return true;
+  }
+  return false;
+}
+
+Result<Drawing> read_own_svg(SvgTree const& tree) { return OwnReader(tree).read(); }
+
+}  // namespace inkflate

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/write_svg.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <span>
+
+#include "io/numbers.h"
+#include "io/own_svg.h"
+#include "io/xml_text.h"
+
+namespace inkflate {
+namespace {
+
+constexpr char kFillColour[] = "#f4ecdd";
+
+// Exact numbers carry the data, rounded ones are only looked at.
+using AppendNumber = void (*)(std::string&, double);
+
+void append_point(std::string& text, Vec2 point, AppendNumber append) {
+  append(text, point.x);
+  text += ' ';
+  append(text, point.y);
+}
+
+void append_polyline(std::string& text, std::span<Sample const> samples, AppendNumber append) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    text += i == 0 ? "M" : i == 1 ? "L" : " ";
+    append_point(text, samples[i].position, append);
+  }
+}
+
+void append_curve(std::string& text, Cubic const& curve, AppendNumber append) {
+  for (std::size_t i = 1; i < 4; ++i) {
+    append_point(text, curve.control[i], append);
+    text += ' ';
+  }
+}
+
+// name="value", the value made by a function of the text so far.
+template <typename Append>
+void append_attribute(std::string& text, std::string_view name, Append const& append) {
+  text += ' ';
+  text += name;
+  text += "=\"";
+  append(text);
+  text += '"';
+}
+
+void append_text_attribute(std::string& text, std::string_view name, std::string_view value) {
+  append_attribute(text, name, [&](std::string& t) { t += escape_xml(value); });
+}
+
+void append_number_attribute(std::string& text, std::string_view name, double value) {
+  append_attribute(text, name, [&](std::string& t) { append_number(t, value); });
+}
+
+void append_indices(std::string& text, std::string_view name, std::vector<int> const& indices) {
+  append_attribute(text, name, [&](std::string& t) {
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      t += (i == 0 ? "" : " ") + std::to_string(indices[i]);
+    }
+  });
+}
+
+void append_pen(std::string& text, Stroke const& stroke) {
+  auto const& c = stroke.colour;
+  std::array<char, 8> hex = {};
+  std::snprintf(hex.data(), hex.size(), "#%02x%02x%02x", c.r, c.g, c.b);
+  append_text_attribute(text, "stroke", hex.data());
+  if (c.a != 255) {
+    append_attribute(text, "stroke-opacity",
+                     [&](std::string& t) { append_rounded(t, c.a / 255.0); });
+  }
+  append_number_attribute(text, "stroke-width", stroke.width_px);
+}
+
+void append_rough_stroke(std::string& text, Stroke const& stroke) {
+  text += "<path";
+  if (stroke.kind == StrokeKind::HelpLine) text += " class=\"help\"";
+  append_attribute(text, "d",
+                   [&](std::string& t) { append_polyline(t, stroke.samples, append_number); });
+  append_pen(text, stroke);
+  auto const is_full = [](Sample const& sample) { return sample.pressure == 1; };
+  if (!std::all_of(stroke.samples.begin(), stroke.samples.end(), is_full)) {
+    append_attribute(text, "inkflate:pressure", [&](std::string& t) {
+      for (auto const& sample : stroke.samples) {
+        append_number(t, sample.pressure);
+        t += ' ';
+      }
+    });
+  }
+  if (stroke.group >= 0) append_number_attribute(text, "inkflate:group", stroke.group);
+  text += "/>\n";
+}
+
+void append_rough(std::string& text, Drawing const& drawing) {
+  text += "<g";
+  append_text_attribute(text, "class", kRoughClass);
+  if (!drawing.layers.empty()) text += " style=\"display:none\"";
+  text += " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+  for (auto const& name : drawing.sketch.groups) {
+    text += "<inkflate:group";
+    append_text_attribute(text, "name", name);
+    text += "/>\n";
+  }
+  for (auto const& stroke : drawing.sketch.strokes) append_rough_stroke(text, stroke);
+  text += "</g>\n";
+}
+
+char kind_letter(RunKind kind) {
+  return kind == RunKind::Ink ? 'i' : kind == RunKind::HelpLine ? 'h' : 'c';
+}
+
+// "i12h3 i7": the first outline has 12 pieces of ink, then 3 of help line; the second 7 of ink.
+void append_kinds(std::string& text, std::vector<Outline> const& outlines) {
+  for (auto const& outline : outlines) {
+    auto const& pieces = outline.pieces;
+    for (std::size_t i = 0, next = 0; i < pieces.size(); i = next) {
+      while (next < pieces.size() && pieces[next].kind == pieces[i].kind) ++next;
+      text += kind_letter(pieces[i].kind) + std::to_string(next - i);
+    }
+    text += ' ';
+  }
+}
+
+// Per outline its sources with a ',' after each, then ';'.
+void append_sources(std::string& text, std::vector<Outline> const& outlines) {
+  for (auto const& outline : outlines) {
+    for (auto const& source : outline.sources) {
+      for (double const number : {source.from, source.to, static_cast<double>(source.stroke),
+                                  source.sample_from, source.sample_to}) {
+        append_number(text, number);
+        text += ' ';
+      }
+      text.back() = ',';
+    }
+    text += ';';
+  }
+}
+
+void append_area(std::string& text, std::vector<Outline> const& outlines) {
+  text += "<path class=\"fill\"";
+  append_attribute(text, "d", [&](std::string& t) {
+    for (auto const& outline : outlines) {
+      if (outline.pieces.empty()) continue;
+      t += 'M';
+      append_point(t, outline.pieces[0].curve.start(), append_number);
+      t += 'C';
+      for (auto const& piece : outline.pieces) append_curve(t, piece.curve, append_number);
+      t.back() = 'Z';
+    }
+  });
+  append_attribute(text, "inkflate:kinds", [&](std::string& t) { append_kinds(t, outlines); });
+  append_attribute(text, "inkflate:sources", [&](std::string& t) { append_sources(t, outlines); });
+  text += " fill-rule=\"evenodd\" stroke=\"none\"";
+  append_text_attribute(text, "fill", kFillColour);
+  text += "/>\n";
+}
+
+// The contour's lines look the same whatever the size of the canvas.
+double line_width_px(Sketch const& sketch) {
+  double const side = std::max(sketch.width_px, sketch.height_px);
+  return side > 0 ? side / 300 : 1;
+}
+
+// Dash and gap in widths of the line.
+void append_run_style(std::string& text, std::string_view kind, std::string_view colour,
+                      Vec2 dashes, double width_px) {
+  append_text_attribute(text, "class", "contour " + std::string(kind));
+  append_text_attribute(text, "stroke", colour);
+  append_attribute(text, "stroke-width", [&](std::string& t) { append_rounded(t, width_px); });
+  if (dashes == Vec2{}) return;
+  append_attribute(text, "stroke-dasharray",
+                   [&](std::string& t) { append_point(t, dashes * width_px, append_rounded); });
+}
+
+void append_run_style(std::string& text, RunKind kind, double width_px) {
+  switch (kind) {
+    case RunKind::Ink:
+      return append_run_style(text, "ink", "#22242b", {}, width_px);
+    case RunKind::HelpLine:
+      return append_run_style(text, "help", "#1f8a7d", {3, 2.5}, width_px);
+    case RunKind::Closing:  // round caps make dots of dashes without length
+      return append_run_style(text, "closing", "#e8604c", {0, 2}, width_px);
+  }
+}
+
+// Begins where the kind changes, so that no run is cut in two by the outline's first point.
+std::size_t first_of_a_run(std::vector<OutlinePiece> const& pieces) {
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    if (pieces[i].kind != pieces[i - 1].kind) return i;
+  }
+  return 0;
+}
+
+void append_runs(std::string& text, Outline const& outline, double width_px) {
+  auto const& pieces = outline.pieces;
+  std::size_t const count = pieces.size();
+  std::size_t const first = first_of_a_run(pieces);
+  for (std::size_t i = 0; i < count;) {
+    auto const kind = pieces[(first + i) % count].kind;
+    text += "<path";
+    append_run_style(text, kind, width_px);
+    append_attribute(text, "d", [&](std::string& t) {
+      std::size_t const begin = i;
+      t += 'M';
+      append_point(t, pieces[(first + i) % count].curve.start(), append_rounded);
+      t += 'C';
+      for (; i < count && pieces[(first + i) % count].kind == kind; ++i) {
+        append_curve(t, pieces[(first + i) % count].curve, append_rounded);
+      }
+      t.pop_back();
+      if (i - begin == count) t += 'Z';
+    });
+    text += "/>\n";
+  }
+}
+
+void append_detail(std::string& text, Stroke const& stroke) {
+  text += "<path class=\"detail\"";
+  append_attribute(text, "d",
+                   [&](std::string& t) { append_polyline(t, stroke.samples, append_rounded); });
+  append_pen(text, stroke);
+  text += "/>\n";
+}
+
+void append_layer(std::string& text, Drawing const& drawing, std::size_t index) {
+  auto const& layer = drawing.layers[index];
+  auto const& sketch = drawing.sketch;
+  text += "<g";
+  append_text_attribute(text, "id", "layer-" + std::to_string(index + 1));
+  append_text_attribute(text, "class", kLayerClass);
+  append_text_attribute(text, "inkflate:name", layer.name);
+  append_indices(text, "inkflate:strokes", layer.strokes);
+  append_indices(text, "inkflate:details", layer.details);
+  text += " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+  append_area(text, layer.outlines);
+  for (auto const& outline : layer.outlines) append_runs(text, outline, line_width_px(sketch));
+  for (int const stroke : layer.details) {
+    append_detail(text, sketch.strokes[static_cast<std::size_t>(stroke)]);
+  }
+  text += "</g>\n";
+}
+
+}  // namespace
+
+std::string write_svg(Drawing const& drawing) {
+  auto const& sketch = drawing.sketch;
+  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\"";
+  append_text_attribute(text, "xmlns:inkflate", kOwnNamespace);
+  append_number_attribute(text, "width", sketch.width_px);
+  append_number_attribute(text, "height", sketch.height_px);
+  append_attribute(text, "viewBox", [&](std::string& t) {
+    t += "0 0 ";
+    append_point(t, {sketch.width_px, sketch.height_px}, append_number);
+  });
+  append_indices(text, "inkflate:stray", drawing.stray);
+  text += ">\n";
+  append_rough(text, drawing);
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) append_layer(text, drawing, i);
+  text += "</svg>\n";
+  return text;
+}
+
+}  // namespace inkflate
