@@ -21,8 +21,8 @@ Result<Vec2> parse_point(std::string_view option, std::string_view text) {
     auto const y = parse_number(text.substr(comma + 1));
     if (x && y) return Vec2{*x, *y};
   }
-  return Error{ErrorCode::BadOption, std::string(option) + " wants a point like 120,80.5, not " +
-                                         std::string(text)};
+  return Error{ErrorCode::BadOption,
+               std::string(option) + " wants a point like 120,80.5, not " + std::string(text)};
 }
 
 Result<std::vector<Vec2>> parse_points(std::string_view option,

@@ -17,10 +17,17 @@ Result<ReadSketch> without_warnings(Result<Value> read) {
   return ReadSketch{std::move(*read), {}};
 }
 
+std::string sentence(SvgWarning const& warning) {
+  return "left out " + std::to_string(warning.count) + " with " + warning.reason +
+         " (the first at byte " + std::to_string(warning.first_byte) + ")";
+}
+
 Result<ReadSketch> read_svg_sketch(std::span<std::byte const> content) {
-  auto read = read_svg(content);
+  auto read = read_svg_with_warnings(content);
   if (!read) return read.error();
-  return ReadSketch{std::move(read->drawing.sketch), std::move(read->warnings)};
+  ReadSketch sketch = {std::move(read->drawing.sketch), {}};
+  for (auto const& warning : read->warnings) sketch.warnings.push_back(sentence(warning));
+  return sketch;
 }
 
 }  // namespace

@@ -146,8 +146,7 @@ ExitStatus run_simplify_verb(SimplifyCall const& call) {
     if (auto const error = make_folder(folder)) return refuse(call.shared, *error);
   }
   ProgressLine line(call.shared.is_quiet ? ProgressLine::Mode::Off : ProgressLine::Mode::Automatic);
-  return run_batch(call.shared,
-                   [&](int index) { return simplify_one(call, *plan, index, line); });
+  return run_batch(call.shared, [&](int index) { return simplify_one(call, *plan, index, line); });
 }
 
 template <typename Choice>

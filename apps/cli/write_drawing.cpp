@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/files.h"
+#include "io/read_picture.h"
 #include "io/write_png.h"
 #include "io/write_svg.h"
 #include "render/draw_drawing.h"
@@ -16,22 +17,19 @@
 namespace inkflate::cli {
 namespace {
 
-// docs/LIMITS.md: what we do not read we do not write either.
-constexpr double kMaxSidePx = 16384;
-constexpr double kMaxPixels = 64e6;
-
+// What we do not read we do not write either.
 std::optional<Error> check_picture_size(Sketch const& canvas) {
-  double const width = std::ceil(canvas.width_px);
-  double const height = std::ceil(canvas.height_px);
-  if (width <= kMaxSidePx && height <= kMaxSidePx && width * height <= kMaxPixels) return {};
+  double const width_px = std::ceil(canvas.width_px);
+  double const height_px = std::ceil(canvas.height_px);
+  if (!(width_px >= 1 && height_px >= 1)) {
+    return Error{ErrorCode::NothingThere, "the canvas has no size; try --size 1024 --fit"};
+  }
+  constexpr double kSidePx = PictureLimits::kSide_px;
+  if (std::max(width_px, height_px) <= kSidePx && width_px * height_px <= PictureLimits::kPixels) {
+    return std::nullopt;
+  }
   return Error{ErrorCode::TooLarge,
                "a picture of this canvas would be over 16384 px or 64 megapixels; try --size 2048"};
-}
-
-std::optional<Error> write_bytes(Result<std::vector<std::byte>> const& content,
-                                 std::string const& path) {
-  if (!content) return content.error();
-  return write_file(path, *content);
 }
 
 }  // namespace
@@ -48,18 +46,17 @@ Result<DrawingFormat> drawing_format(std::string const& path) {
 std::optional<Error> write_drawing(Drawing const& drawing, DrawingFormat format,
                                    std::string const& path) {
   if (format == DrawingFormat::Svg) return write_file(path, write_svg(drawing));
-  if (auto const error = check_picture_size(drawing.sketch)) return error;
-  return write_bytes(write_png(draw_mask(drawing)), path);
+  if (auto error = check_picture_size(drawing.sketch)) return error;
+  return write_file(path, write_png(draw_mask(drawing)));
 }
 
 std::optional<Error> write_drawing_picture(Drawing const& drawing, std::string const& path) {
-  if (auto const error = check_picture_size(drawing.sketch)) return error;
+  if (auto error = check_picture_size(drawing.sketch)) return error;
   DrawDrawingOptions const options = {.rough_strokes = RoughStrokes::Faint};
-  auto const picture = rasterise(draw_drawing(drawing, options),
-                                 static_cast<int>(std::ceil(drawing.sketch.width_px)),
-                                 static_cast<int>(std::ceil(drawing.sketch.height_px)),
-                                 palette::kPaper);
-  return write_bytes(write_png(picture), path);
+  auto const picture = rasterise(
+      draw_drawing(drawing, options), static_cast<int>(std::ceil(drawing.sketch.width_px)),
+      static_cast<int>(std::ceil(drawing.sketch.height_px)), palette::kPaper);
+  return write_file(path, write_png(picture));
 }
 
 }  // namespace inkflate::cli

@@ -55,7 +55,8 @@ Result<Sketch> place_sketch(Sketch const& sketch, PlaceOptions const& options) {
   }
   if (!options.size_px) return sketch;
   if (!(own_px > 0)) {
-    return Error{ErrorCode::NothingThere, "the canvas has no size to scale; fit the strokes instead"};
+    return Error{ErrorCode::NothingThere,
+                 "the canvas has no size to scale; fit the strokes instead"};
   }
   double const scale = size_px / own_px;
   Sketch placed = transformed(sketch, Affine::scaling(scale, scale));

@@ -19,9 +19,9 @@ namespace inkflate {
 using SketchSource = std::variant<Sketch, Picture>;
 
 struct RunSimplifyOptions {
-  ScanOptions scan;           // for a Picture
-  PlaceOptions place;         // the canvas of the output
-  SimplifyOptions simplify;   // lengths and places in px of that canvas
+  ScanOptions scan;          // for a Picture
+  PlaceOptions place;        // the canvas of the output
+  SimplifyOptions simplify;  // lengths and places in px of that canvas
 };
 
 struct SimplifyRun {

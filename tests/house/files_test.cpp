@@ -9,7 +9,8 @@ namespace inkflate::house {
 namespace {
 
 bool is_code(SourceFile const& file) {
-  return has_extension(file, {".h", ".cpp", ".cmake", "CMakeLists.txt", ".py", ".sh", "run", "test"});
+  return has_extension(file,
+                       {".h", ".cpp", ".cmake", "CMakeLists.txt", ".py", ".sh", "run", "test"});
 }
 
 TEST(Files, CodeFilesNameTheirLicence) {
@@ -33,21 +34,13 @@ TEST(Files, EndWithOneNewline) {
   }
 }
 
-// Unfinished work is not committed; a place on one machine means nothing on another. The words are cut in two
-// here so that this file does not hold them.
+// Unfinished work is not committed; a place on one machine means nothing on another.
 TEST(Files, HoldNoLooseEndsAndNoPlacesOfOneMachine) {
-  std::vector<std::string> const forbidden = {"TO"
-                                              "DO",
-                                              "FIX"
-                                              "ME",
-                                              "/ho"
-                                              "me/",
-                                              "/ro"
-                                              "ot/",
-                                              "/wo"
-                                              "rk/",
-                                              "registry."
-                                              "npmjs"};
+  // Put together here, so that this file does not hold them.
+  std::string const slash = "/";
+  std::string const forbidden[] = {std::string("TO") + "DO", std::string("FIX") + "ME",
+                                   slash + "home" + slash,   slash + "root" + slash,
+                                   slash + "work" + slash,   std::string("registry.") + "npmjs"};
   for (auto const& file : source_files()) {
     for (auto const& word : forbidden) {
       EXPECT_EQ(file.text.find(word), std::string::npos) << file.path << " holds " << word;

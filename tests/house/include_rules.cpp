@@ -29,16 +29,11 @@ struct LibraryRule {
 };
 
 constexpr std::array kLibraryRules = {
-    LibraryRule{"Eigen/", "solvers"},
-    LibraryRule{"unsupported/Eigen/", "solvers"},
-    LibraryRule{"stb", "io"},
-    LibraryRule{"nlohmann/", "io cli desktop web"},
-    LibraryRule{"CLI/", "cli"},
-    LibraryRule{"emscripten", "web"},
-    LibraryRule{"Q", "desktop"},
-    LibraryRule{"GL", "desktop web"},
-    LibraryRule{"gtest/", ""},
-    LibraryRule{"rapidcheck", ""},
+    LibraryRule{"Eigen/", "solvers"}, LibraryRule{"unsupported/Eigen/", "solvers"},
+    LibraryRule{"stb", "io"},         LibraryRule{"nlohmann/", "io cli desktop web"},
+    LibraryRule{"CLI/", "cli"},       LibraryRule{"emscripten", "web"},
+    LibraryRule{"Q", "desktop"},      LibraryRule{"GL", "desktop web"},
+    LibraryRule{"gtest/", ""},        LibraryRule{"rapidcheck", ""},
     LibraryRule{"benchmark/", ""},
 };
 

@@ -21,8 +21,8 @@ bool is_written_by_people(std::string const& path) {
 }
 
 bool is_skipped_folder(fs::path const& folder) {
-  static constexpr std::string_view kSkipped[] = {".git", "build", "out", "node_modules", "data",
-                                                  "corpus"};
+  static constexpr std::string_view kSkipped[] = {".git",         "build", "out",
+                                                  "node_modules", "data",  "corpus"};
   std::string const name = folder.filename().string();
   return std::find(std::begin(kSkipped), std::end(kSkipped), name) != std::end(kSkipped);
 }
