@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/distance.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace inkflate {
@@ -59,20 +60,20 @@ class Envelope {
 Grid2<double> squared_distance_to_zero(Mask const& mask) {
   Grid2<double> result(mask.width, mask.height);
   if (result.values.empty()) return result;
-  // Down the columns two sweeps do: only zeros and far heights are there.
-  for (int x = 0; x < mask.width; ++x) {
-    double steps = kFar;
-    for (int y = 0; y < mask.height; ++y) {
-      steps = mask.at(x, y) == 0 ? 0 : steps + 1;
-      result.at(x, y) = steps;
-    }
-    steps = kFar;
-    for (int y = mask.height - 1; y >= 0; --y) {
-      steps = mask.at(x, y) == 0 ? 0 : steps + 1;
-      double const nearest = steps < result.at(x, y) ? steps : result.at(x, y);
-      result.at(x, y) = nearest < kFar ? nearest * nearest : kFar;
+  // Along the columns two sweeps do: only zeros and far heights are there.
+  auto const steps = [&](int x, int y, int from) {
+    if (mask.at(x, y) == 0) return 0.0;
+    return (from >= 0 && from < mask.height ? result.at(x, from) : kFar) + 1;
+  };
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 0; x < mask.width; ++x) result.at(x, y) = steps(x, y, y - 1);
+  }
+  for (int y = mask.height - 1; y >= 0; --y) {
+    for (int x = 0; x < mask.width; ++x) {
+      result.at(x, y) = std::min(result.at(x, y), steps(x, y, y + 1));
     }
   }
+  for (auto& value : result.values) value = value < kFar ? value * value : kFar;
   Envelope envelope(mask.width);
   std::vector<double> row(static_cast<std::size_t>(mask.width));
   for (int y = 0; y < mask.height; ++y) {
