@@ -2,6 +2,7 @@
 #include "io/own_svg.h"
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@ namespace inkflate {
 namespace {
 
 constexpr int kSampleLimit = 5'000'000;
+constexpr int kShortestPiece = 11;  // bytes of six numbers in a path
 
 // The functions below return false where the text is damaged.
 
@@ -82,7 +84,8 @@ bool parse_stroke(SvgElement const& element, int group_count, Stroke& stroke) {
   return parse_samples(element["d"], element.find("inkflate:pressure"), stroke.samples);
 }
 
-bool parse_kinds(std::string_view text, std::vector<Outline>& outlines) {
+// piece_room is as many pieces as the path can hold: a count in a file is not believed.
+bool parse_kinds(std::string_view text, std::int64_t piece_room, std::vector<Outline>& outlines) {
   while (!(text = trimmed(text)).empty()) {
     outlines.emplace_back();
     auto& pieces = outlines.back().pieces;
@@ -90,8 +93,8 @@ bool parse_kinds(std::string_view text, std::vector<Outline>& outlines) {
       char const letter = text.front();
       text.remove_prefix(1);
       auto const count = take_index(text);
-      auto const room = kSampleLimit - static_cast<int>(std::ssize(pieces));
-      if (!count || *count == 0 || *count > room) return false;
+      if (!count || *count == 0 || *count > piece_room) return false;
+      piece_room -= *count;
       if (letter != 'i' && letter != 'h' && letter != 'c') return false;
       auto const kind = letter == 'i'   ? RunKind::Ink
                         : letter == 'h' ? RunKind::HelpLine
@@ -212,7 +215,9 @@ class OwnReader {
       auto const child = tree_.element(i);
       if (child.name() != "path" || child["class"] != "fill") continue;
       bool const is_whole =
-          layer.outlines.empty() && parse_kinds(child["inkflate:kinds"], layer.outlines) &&
+          layer.outlines.empty() &&
+          parse_kinds(child["inkflate:kinds"], std::ssize(child["d"]) / kShortestPiece,
+                      layer.outlines) &&
           parse_curves(child["d"], layer.outlines) &&
           parse_sources(child["inkflate:sources"], stroke_count(), layer.outlines);
       if (!is_whole) return i;
@@ -231,7 +236,8 @@ class OwnReader {
 bool is_own_svg(SvgTree const& tree) {
   if (tree.element(0)["xmlns:inkflate"] != kOwnNamespace) return false;
   for (int i = 1; i < tree.nodes[0].end; i = tree.nodes[static_cast<std::size_t>(i)].end) {
-    if (tree.element(i)["class"] == kRoughClass) return true;
+    auto const child = tree.element(i);
+    if (child.name() == "g" && child["class"] == kRoughClass) return true;
   }
   return false;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string_view>
+
 #include "base/result.h"
 #include "io/svg_tree.h"
 #include "model/drawing.h"
@@ -8,9 +10,9 @@
 namespace inkflate {
 
 /// The names by which a file of write_svg is known again.
-inline constexpr char kOwnNamespace[] = "https://inkflate.app/ns/1";
-inline constexpr char kRoughClass[] = "inkflate-rough";
-inline constexpr char kLayerClass[] = "inkflate-layer";
+inline constexpr std::string_view kOwnNamespace = "https://inkflate.app/ns/1";
+inline constexpr std::string_view kRoughClass = "inkflate-rough";
+inline constexpr std::string_view kLayerClass = "inkflate-layer";
 
 /// Was the document written by write_svg? Other programs may have changed or added elements since.
 bool is_own_svg(SvgTree const& tree);

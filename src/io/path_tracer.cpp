@@ -39,7 +39,7 @@ CentreArc centre_form(Vec2 from, EndpointArc const& arc) {
     h = h / size;
   }
   double const offset = std::sqrt(std::max(0.0, 1 - squared_norm(h))) / std::max(norm(h), 1e-300);
-  Vec2 const centre = perpendicular(h) * (arc.is_large == arc.is_sweep ? -offset : offset);
+  Vec2 const centre = perpendicular(h) * (arc.is_large == arc.is_sweep ? offset : -offset);
   Vec2 const first = h - centre;
   Vec2 const last = -h - centre;
   double sweep = atan2_of(cross(first, last), dot(first, last));

@@ -219,13 +219,14 @@ void SvgWalk::visit_shape(int node, SvgElement const& element, Context const& co
   Colour const line = with_opacity(style.stroke.colour, style.opacity * style.stroke_opacity);
   Colour const area = with_opacity(style.fill.colour, style.opacity * style.fill_opacity);
   double const width = style.stroke_width * context.to_canvas.mean_scale();
-  bool const is_stroked = !style.stroke.is_none && line.a > 0 && width > 0;
+  bool const is_stroked = !style.stroke.is_none && line.a > 0 && !(width <= 0);
+  bool const is_far = is_stroked && !(width <= kCoordinateLimit);  // true for NaN too
   bool const is_filled = !style.fill.is_none && area.a > 0 && element.name() != "line";
   if (!style.is_visible || (!is_stroked && !is_filled)) return;
   PathTracer tracer(context.to_canvas,
                     std::min(limits_.points_per_element, limits_.samples - sample_count_));
   bool const is_whole = trace_shape(element, context.viewport, tracer);
-  if (tracer.fault() == TraceFault::OutOfRange || (is_stroked && width > kCoordinateLimit)) {
+  if (tracer.fault() == TraceFault::OutOfRange || is_far) {
     return warn("a coordinate beyond 1e6 px", node);
   }
   if (tracer.fault() == TraceFault::TooManyPoints) return warn("too many points", node);

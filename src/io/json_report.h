@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "base/result.h"
+#include "model/drawing.h"
+
+namespace inkflate {
+
+/// What one stage took. The stages "read" and "write" are listed but not part of the total.
+struct StageTime {
+  std::string stage;
+  double ms = 0;
+};
+
+/// The JSON object that `simplify --json` prints, on one line.
+///
+///     {"canvas": {"width", "height"}, "strokes", "samples",
+///      "layers": [{"name", "strokes", "details", "contours": [{"hole", "closed", "area", "perimeter", "points": [[x, y], ...]}]}],
+///      "closings": [{"layer", "from": [x, y], "to": [x, y], "length"}], "open": [the same], "stray",
+///      "ms": {stage: ms, ..., "total"}}
+///
+/// Points are px, within 0.1 px of the curve and rounded to 0.001; area is positive for holes too; strokes, details and
+/// stray are counts; closings and open runs name their layer by index. Keys keep this order.
+std::string json_report(Drawing const& drawing, std::span<StageTime const> stages);
+
+/// {"error": {"code", "message", "where"}}; where is the error's index, or null.
+std::string json_error(Error const& error);
+
+}  // namespace inkflate

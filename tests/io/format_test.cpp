@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/format.h"
+
+#include <gtest/gtest.h>
+
+#include "io/bytes.h"
+
+namespace inkflate {
+namespace {
+
+TEST(Format, IsToldByContent) {
+  struct Case {
+    std::string_view bytes;
+    FileFormat format;
+  };
+  for (auto const& [bytes, format] :
+       {Case{"<svg/>", FileFormat::Svg},
+        Case{"\xef\xbb\xbf <?xml?><!-- --><s:svg>", FileFormat::Svg},
+        Case{{"\xff\xfe<\0s\0v\0g\0", 10}, FileFormat::Svg},
+        Case{"<html></html>", FileFormat::Unknown}, Case{"#593 394\n@1", FileFormat::Scap},
+        Case{"#\t593\t394", FileFormat::Scap}, Case{"{\n#1 0", FileFormat::Scap},
+        Case{"# a comment", FileFormat::Unknown}, Case{"{\"document\": 1}", FileFormat::Unknown},
+        Case{"\x89PNG\r\n\x1a\n....", FileFormat::Png}, Case{"\xff\xd8\xff\xe0", FileFormat::Jpeg},
+        Case{"PK\x03\x04....", FileFormat::Zip}, Case{"PK\x05\x06", FileFormat::Zip},
+        Case{"", FileFormat::Unknown}, Case{"#", FileFormat::Unknown},
+        Case{"\xff\xfe", FileFormat::Unknown}, Case{"\x89PNG", FileFormat::Unknown}}) {
+    EXPECT_EQ(sniff_format(as_bytes(bytes)), format) << bytes;
+  }
+}
+
+TEST(Format, HasANameForMessages) {
+  EXPECT_STREQ(file_format_name(FileFormat::Svg), "SVG");
+  EXPECT_STREQ(file_format_name(FileFormat::Unknown), "unknown");
+}
+
+}  // namespace
+}  // namespace inkflate
