@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "cli/files.h"
+#include "io/json_report.h"
 
 namespace inkflate::cli {
 namespace {
@@ -34,11 +35,7 @@ void print_warning(std::string_view file, std::string_view message) {
   print_line(file, "warning: " + std::string(message));
 }
 
-Json error_json(Error const& error) {
-  Json const where = error.index < 0 ? Json(nullptr) : Json(error.index);
-  return {{"error",
-           {{"code", error_code_name(error.code)}, {"message", error.message}, {"where", where}}}};
-}
+Json error_json(Error const& error) { return Json::parse(json_error(error)); }
 
 std::string to_text(Json const& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

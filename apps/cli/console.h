@@ -18,7 +18,7 @@ bool print(std::string_view text);
 void print_error(std::string_view file, Error const& error);
 void print_warning(std::string_view file, std::string_view message);
 
-/// {"error": {"code", "message", "where"}}; where is null when the error has no place.
+/// {"error": {"code", "message", "where"}}, to be joined with more.
 Json error_json(Error const& error);
 
 /// The object as text with a final newline; bytes that are no UTF-8 become U+FFFD.

@@ -13,6 +13,7 @@
 #include "cli/verb.h"
 #include "cli/write_drawing.h"
 #include "io/json_report.h"
+#include "pipeline/stage_clock.h"
 
 namespace inkflate::cli {
 namespace {
@@ -114,9 +115,21 @@ Result<SimplifyPlan> make_plan(SimplifyCall const& call) {
   return plan;
 }
 
+std::optional<Error> write_outputs(Drawing const& drawing, SimplifyPlan const& plan, int index) {
+  if (auto const& output = plan.outputs[index]; !output.empty()) {
+    if (auto error = write_drawing(drawing, plan.formats[index], output)) return error;
+  }
+  auto const& picture = plan.pictures[index];
+  return picture.empty() ? std::nullopt : write_drawing_picture(drawing, picture);
+}
+
 Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, int index,
                           ProgressLine& line) {
   auto const& input = call.shared.inputs[index];
+  StageClock clock;
+  Progress const shown = {[&](std::string_view stage) { line.show(stage); }, {}};
+  Progress const progress = clock.timed(shown);
+  progress.report("read");
   auto const content = read_file(input);
   if (!content) return content.error();
   auto const read = read_sketch(*content);
@@ -124,19 +137,13 @@ Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, in
   if (!call.shared.is_quiet) {
     for (auto const& warning : read->warnings) print_warning(input, warning);
   }
-  Progress const progress = {[&](std::string_view stage) { line.show(stage); }, {}};
-  auto const run = run_simplify(read->source, plan.options, progress);
-  if (!run) return run.error();
-  line.show("write");
-  if (auto const& output = plan.outputs[index]; !output.empty()) {
-    auto const error = write_drawing(run->drawing, plan.formats[index], output);
-    if (error) return *error;
-  }
-  if (auto const& picture = plan.pictures[index]; !picture.empty()) {
-    if (auto const error = write_drawing_picture(run->drawing, picture)) return *error;
-  }
+  auto const drawing = run_simplify(read->source, plan.options, progress);
+  if (!drawing) return drawing.error();
+  progress.report("write");
+  if (auto const error = write_outputs(*drawing, plan, index)) return *error;
+  clock.stop();
   if (!call.shared.is_json) return Json::object();
-  return Json::parse(json_report(run->drawing, run->times));
+  return Json::parse(json_report(*drawing, clock.times()));
 }
 
 ExitStatus run_simplify_verb(SimplifyCall const& call) {

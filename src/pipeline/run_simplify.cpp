@@ -3,36 +3,27 @@
 
 #include <utility>
 
-#include "pipeline/stage_clock.h"
-
 namespace inkflate {
 namespace {
 
-Result<Sketch> placed_sketch(SketchSource const& source, RunSimplifyOptions const& options,
-                             Progress const& progress) {
-  auto const* const picture = std::get_if<Picture>(&source);
-  if (picture == nullptr) {
-    if (!progress.enter("place")) return Error{ErrorCode::Cancelled, "stopped before placing"};
-    return place_sketch(*std::get_if<Sketch>(&source), options.place);
+Result<Sketch> drawn_sketch(SketchSource const& source, ScanOptions const& options,
+                            Progress const& progress) {
+  if (auto const* const picture = std::get_if<Picture>(&source)) {
+    return trace_scan(*picture, options, progress);
   }
-  auto const traced = trace_scan(*picture, options.scan, progress);
-  if (!traced) return traced.error();
-  if (!progress.enter("place")) return Error{ErrorCode::Cancelled, "stopped before placing"};
-  return place_sketch(*traced, options.place);
+  return *std::get_if<Sketch>(&source);
 }
 
 }  // namespace
 
-Result<SimplifyRun> run_simplify(SketchSource const& source, RunSimplifyOptions const& options,
-                                 Progress const& progress) {
-  StageClock clock;
-  Progress const timed = clock.timed(progress);
-  auto const sketch = placed_sketch(source, options, timed);
-  if (!sketch) return sketch.error();
-  auto drawing = simplify(*sketch, options.simplify, timed);
-  if (!drawing) return drawing.error();
-  clock.stop();
-  return SimplifyRun{std::move(*drawing), clock.times()};
+Result<Drawing> run_simplify(SketchSource const& source, RunSimplifyOptions const& options,
+                             Progress const& progress) {
+  auto const drawn = drawn_sketch(source, options.scan, progress);
+  if (!drawn) return drawn.error();
+  if (!progress.enter("place")) return Error{ErrorCode::Cancelled, "stopped before simplifying"};
+  auto const placed = place_sketch(*drawn, options.place);
+  if (!placed) return placed.error();
+  return simplify(*placed, options.simplify, progress);
 }
 
 }  // namespace inkflate

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <variant>
-#include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "base/stage_time.h"
 #include "image/grid2.h"
 #include "ink/trace_scan.h"
 #include "model/drawing.h"
@@ -24,16 +22,11 @@ struct RunSimplifyOptions {
   SimplifyOptions simplify;  // lengths and places in px of that canvas
 };
 
-struct SimplifyRun {
-  Drawing drawing;
-  std::vector<StageTime> times;  // of every stage, in order; reading and writing files is not in it
-};
-
-/// From a sketch or a scan to closed contours on the wanted canvas.
+/// From a sketch or a scan to closed contours on the wanted canvas. A StageClock on the progress takes the times.
 ///
 /// errors  those of trace_scan, place_sketch and simplify
 /// cost    that of its stages
-Result<SimplifyRun> run_simplify(SketchSource const& source, RunSimplifyOptions const& options = {},
-                                 Progress const& progress = {});
+Result<Drawing> run_simplify(SketchSource const& source, RunSimplifyOptions const& options = {},
+                             Progress const& progress = {});
 
 }  // namespace inkflate

@@ -33,7 +33,7 @@ std::uint64_t hash_of(Drawing const& drawing) {
   return hash.value();
 }
 
-Result<SimplifyRun> simplify_file(char const* path) {
+Result<Drawing> simplify_file(char const* path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return Error{ErrorCode::FileSystem, "cannot read"};
   std::vector<char> const content{std::istreambuf_iterator<char>(stream), {}};
@@ -51,8 +51,7 @@ int main(int count, char** arguments) {
     auto const name = std::filesystem::path(arguments[i]).filename().string();
     is_done = is_done && run.has_value();
     if (run) {
-      std::printf("%016llx %s\n", static_cast<unsigned long long>(hash_of(run->drawing)),
-                  name.c_str());
+      std::printf("%016llx %s\n", static_cast<unsigned long long>(hash_of(*run)), name.c_str());
     } else {
       std::printf("%s: %s\n", name.c_str(), run.error().message.c_str());
     }
