@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <cstdint>
+
+#include "base/check.h"
+#include "io/read_scap.h"
+
+// Any bytes end in an error or in a sketch whose numbers are in range.
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
+  auto const sketch = inkflate::read_scap(std::as_bytes(std::span(data, size)));
+  if (!sketch) return 0;
+  CHECK(sketch->width_px > 0 && sketch->height_px > 0, "the canvas has a size");
+  for (auto const& stroke : sketch->strokes) {
+    CHECK(!stroke.samples.empty() && stroke.width_px >= 0, "a stroke is something");
+    for (auto const& [position, pressure] : stroke.samples) {
+      CHECK(std::abs(position.x) <= 1e6 && std::abs(position.y) <= 1e6, "samples are in range");
+      CHECK(pressure >= 0 && pressure <= 1, "pressure is in range");
+    }
+  }
+  return 0;
+}
