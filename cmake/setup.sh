@@ -5,19 +5,16 @@ build_packages=(g++ cmake ninja-build ccache libcli11-dev nlohmann-json3-dev lib
 test_packages=(clang clang-format clang-tidy libclang-rt-dev libgtest-dev googletest
   libbenchmark-dev librapidcheck-dev emscripten nodejs python3 git ca-certificates)
 
-is_installed() {
-  [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
-}
-
 # need_packages NAME...: installs those that are missing with apt; says what it does.
 need_packages() {
-  local missing=() name become=()
+  local missing=() name installed become=()
   if ! command -v dpkg-query >/dev/null; then
     echo "This is no Debian system: make sure there is what these packages hold: $*" >&2
     return 0
   fi
+  installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "$@" 2>/dev/null || true)
   for name in "$@"; do
-    is_installed "$name" || missing+=("$name")
+    grep -qx "$name installed" <<<"$installed" || missing+=("$name")
   done
   [ ${#missing[@]} -eq 0 ] && return 0
   if [ "$(id -u)" -ne 0 ]; then
