@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace inkflate {
 namespace {
@@ -19,6 +20,8 @@ constexpr double kLargestShift_px = 1.5;
 /// Beyond the pen's radius the ink must have faded, else another line lies there.
 constexpr double kClearance_px = 2;
 constexpr double kProfileStep_px = 0.5;
+/// Points beyond the pen's radius that the end of a line may bend.
+constexpr int kEndMargin = 2;
 
 std::size_t slot(int index) { return static_cast<std::size_t>(index); }
 
@@ -122,6 +125,21 @@ double centre_points(std::vector<Vec2>& points, Indices const& indices, Mask con
   return clear_width_px / clear_count;
 }
 
+/// Thinning bends the last bit of a line towards a corner of its end: there it goes straight on instead.
+void straighten_ends(std::vector<Vec2>& points, double radius_px) {
+  auto const count = static_cast<int>(points.size());
+  int const bent = std::min(static_cast<int>(radius_px) + kEndMargin, count / 3);
+  int const far = std::min(bent + 2 * kDirectionReach, count - 1);
+  for (int side = 0; side < 2; ++side) {
+    double const left_px = length(std::span(points).first(slot(bent) + 1));
+    Vec2 const along = normalized(points[slot(bent)] - points[slot(far)]);
+    for (int i = 0; i < bent; ++i) {
+      points[slot(i)] = points[slot(bent)] + left_px * (bent - i) / bent * along;
+    }
+    std::reverse(points.begin(), points.end());
+  }
+}
+
 /// Points at equal distances; both ends stay.
 Polyline resampled(Polyline const& points) {
   double const total_px = length(points);
@@ -159,7 +177,11 @@ RefinedLine refine_line(JoinedLine const& line, Mask const& strength,
   smooth(points, indices);
   result.width_px = centre_points(points, indices, strength, radius_px);
   smooth(points, indices);
-  if (line.is_closed) points.push_back(points.front());
+  if (line.is_closed) {
+    points.push_back(points.front());
+  } else {
+    straighten_ends(points, result.width_px / 2);
+  }
   result.points = resampled(points);
   return result;
 }

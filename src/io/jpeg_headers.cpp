@@ -11,6 +11,7 @@ namespace inkflate::detail {
 namespace {
 
 // Markers of ITU T.81, table B.1.
+constexpr unsigned kHuffmanTables = 0xc4;
 constexpr unsigned kStartOfImage = 0xd8;
 constexpr unsigned kEndOfImage = 0xd9;
 constexpr unsigned kStartOfScan = 0xda;
@@ -65,6 +66,20 @@ std::optional<Error> read_frame(unsigned marker, std::span<std::byte const> payl
   return std::nullopt;
 }
 
+/// Whether the segment's tables are whole and no table has more than 256 codes: the decoder trusts them.
+bool has_sound_tables(std::span<std::byte const> payload) {
+  constexpr std::size_t kHeadBytes =
+      17;  // the table's name, then how many codes have 1, 2, .. 16 bits
+  while (!payload.empty()) {
+    if (payload.size() < kHeadBytes) return false;
+    std::size_t codes = 0;
+    for (std::size_t i = 1; i < kHeadBytes; ++i) codes += static_cast<std::size_t>(payload[i]);
+    if (codes > 256 || payload.size() - kHeadBytes < codes) return false;
+    payload = payload.subspan(kHeadBytes + codes);
+  }
+  return true;
+}
+
 struct Cursor {
   std::size_t offset = 2;
   bool is_at_end = false;
@@ -93,6 +108,8 @@ std::optional<Error> read_marker(std::span<std::byte const> file, Cursor& cursor
   if (is_frame(marker)) {
     if (auto error = read_frame(marker, payload, offset, headers)) return error;
   }
+  if (marker == kHuffmanTables && !has_sound_tables(payload))
+    return damaged("wrong tables", offset);
   if (marker == kApp1 && headers.orientation == Orientation::Upright) {
     headers.orientation = exif_orientation(payload);
   }

@@ -224,6 +224,12 @@ TEST(ReadPicture, PixelsBeyondTheSizeAreRefusedUnread) {
   EXPECT_FALSE(read_picture(bomb).has_value());
 }
 
+TEST(ReadPicture, RefusesTablesWithMoreCodesThanTheDecoderHolds) {
+  auto const picture = read_picture(data_file("pictures/too_many_codes.jpg"));
+  ASSERT_FALSE(picture.has_value());
+  EXPECT_EQ(picture.error().code, ErrorCode::BadInput);
+}
+
 TEST(ReadPicture, OtherFilesAreUnsupported) {
   EXPECT_EQ(read_picture(bytes({'G', 'I', 'F', '8', '9', 'a'})).error().code,
             ErrorCode::Unsupported);
