@@ -6,6 +6,7 @@
 #include "io/read_scap.h"
 
 // Any bytes end in an error or in a sketch whose numbers are in range.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer gives the name
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   auto const sketch = inkflate::read_scap(std::as_bytes(std::span(data, size)));
   if (!sketch) return 0;

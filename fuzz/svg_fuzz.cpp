@@ -7,6 +7,7 @@
 #include "io/write_svg.h"
 
 // Any bytes end in a drawing or an error, and a drawing survives being written and read.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer gives the name
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   auto const drawing = inkflate::read_svg(std::as_bytes(std::span(data, size)));
   if (!drawing) return 0;

@@ -48,14 +48,14 @@ int exponent_value(std::string_view digits) {
 }
 
 double nearest_double(Decimal number) {
-  constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                              1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                              1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  constexpr std::array<double, 23> powers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                             1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                             1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
   // Both operands are exact here, so one operation rounds correctly (Clinger 1990).
   auto const magnitude = static_cast<std::size_t>(std::abs(number.exponent));
-  if (number.digits <= (std::uint64_t{1} << 53U) && magnitude < kPowers.size()) {
+  if (number.digits <= (std::uint64_t{1} << 53U) && magnitude < powers.size()) {
     auto const digits = static_cast<double>(number.digits);
-    return number.exponent < 0 ? digits / kPowers[magnitude] : digits * kPowers[magnitude];
+    return number.exponent < 0 ? digits / powers[magnitude] : digits * powers[magnitude];
   }
   // Without a decimal point the library's answer does not depend on the locale.
   std::array<char, 48> token = {};

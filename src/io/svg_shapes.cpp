@@ -67,9 +67,9 @@ void trace_ellipse(Vec2 centre, Vec2 radii, PathTracer& tracer) {
 }  // namespace
 
 bool is_shape(std::string_view element_name) {
-  constexpr std::array<std::string_view, 7> kShapes = {"path", "polyline", "polygon", "line",
-                                                       "rect", "circle",   "ellipse"};
-  return std::find(kShapes.begin(), kShapes.end(), element_name) != kShapes.end();
+  constexpr std::array<std::string_view, 7> shapes = {"path", "polyline", "polygon", "line",
+                                                      "rect", "circle",   "ellipse"};
+  return std::find(shapes.begin(), shapes.end(), element_name) != shapes.end();
 }
 
 bool trace_shape(SvgElement const& element, Vec2 viewport_size, PathTracer& tracer) {

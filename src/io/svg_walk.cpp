@@ -123,11 +123,11 @@ void SvgWalk::visit(int node, Frame const& frame) {
   auto context = child_context(node, element, frame.context);
   if (!context.style.is_displayed) return;
   if (is_shape(name)) return visit_shape(node, element, context);
-  if (name == "use") return visit_use(node, element, std::move(context));
-  if (is_viewport) return visit_viewport(node, element, frame, std::move(context));
+  if (name == "use") return visit_use(node, element, context);
+  if (is_viewport) return visit_viewport(node, element, frame, context);
   if (name == "g") enter_group(node, element, context);
   frames_.push_back(
-      {node + 1, tree_.nodes[static_cast<std::size_t>(node)].end, std::move(context), -1, {}, {}});
+      {node + 1, tree_.nodes[static_cast<std::size_t>(node)].end, context, -1, {}, {}});
 }
 
 SvgWalk::Context SvgWalk::child_context(int node, SvgElement const& element,
@@ -166,11 +166,11 @@ void SvgWalk::enter_viewport(int node, SvgElement const& element, Place const& p
     context.viewport = box->size;
   }
   frames_.push_back(
-      {node + 1, tree_.nodes[static_cast<std::size_t>(node)].end, std::move(context), -1, {}, {}});
+      {node + 1, tree_.nodes[static_cast<std::size_t>(node)].end, context, -1, {}, {}});
 }
 
 void SvgWalk::visit_viewport(int node, SvgElement const& element, Frame const& frame,
-                             Context context) {
+                             Context& context) {
   Vec2 const around = context.viewport;
   auto const length = [&](std::string_view attribute, double whole) {
     return length_px(element[attribute], whole);
@@ -191,7 +191,7 @@ bool SvgWalk::contains_open_use(int node) const {
   });
 }
 
-void SvgWalk::visit_use(int node, SvgElement const& element, Context context) {
+void SvgWalk::visit_use(int node, SvgElement const& element, Context& context) {
   auto href = trimmed(element.find("href").value_or(element["xlink:href"]));
   if (href.empty()) return;
   if (href.front() != '#') return warn("a use of another file, which is never opened", node);
@@ -209,8 +209,8 @@ void SvgWalk::visit_use(int node, SvgElement const& element, Context context) {
   Vec2 const position = {length_px(element["x"], around.x).value_or(0),
                          length_px(element["y"], around.y).value_or(0)};
   context.to_canvas = context.to_canvas * Affine::translation(position);
-  frames_.push_back({*target, tree_.nodes[static_cast<std::size_t>(*target)].end,
-                     std::move(context), node, length_px(element["width"], around.x),
+  frames_.push_back({*target, tree_.nodes[static_cast<std::size_t>(*target)].end, context, node,
+                     length_px(element["width"], around.x),
                      length_px(element["height"], around.y)});
 }
 

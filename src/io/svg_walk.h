@@ -62,8 +62,8 @@ class SvgWalk {
   Context child_context(int node, SvgElement const& element, Context const& parent);
   void enter_group(int node, SvgElement const& element, Context& context);
   void enter_viewport(int node, SvgElement const& element, Place const& place, Context& context);
-  void visit_viewport(int node, SvgElement const& element, Frame const& frame, Context context);
-  void visit_use(int node, SvgElement const& element, Context context);
+  void visit_viewport(int node, SvgElement const& element, Frame const& frame, Context& context);
+  void visit_use(int node, SvgElement const& element, Context& context);
   void visit_shape(int node, SvgElement const& element, Context const& context);
   void add_strokes(std::vector<Polyline> subpaths, Stroke const& pen, bool is_outline_of_area);
   bool is_background(std::vector<Polyline> const& subpaths) const;

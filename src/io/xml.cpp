@@ -104,7 +104,7 @@ Result<XmlEvent> XmlReader::next() {
     event_at_ = at_;
     if (at_ >= document_.size()) return read_end();
     if (document_[at_] != '<' || starts_with_at(document_, at_, "<![CDATA[")) {
-      auto const event = read_text();
+      auto event = read_text();
       if (!event || !open_names_.empty()) return event;
       continue;
     }

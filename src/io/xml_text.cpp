@@ -10,9 +10,9 @@ namespace {
 
 // The code point of a reference's body (between '&' and ';'), or -1.
 long reference_value(std::string_view body) {
-  constexpr std::pair<std::string_view, char> kNamed[] = {
+  constexpr std::pair<std::string_view, char> named[] = {
       {"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}};
-  for (auto const& [name, value] : kNamed) {
+  for (auto const& [name, value] : named) {
     if (body == name) return value;
   }
   if (body.size() < 2 || body[0] != '#') return -1;
@@ -62,9 +62,9 @@ std::pair<long, std::size_t> first_character(std::string_view text) {
     if ((byte(i) & 0xc0U) != 0x80U) return {-1, 1};
     code = (code << 6U) | static_cast<long>(byte(i) & 0x3fU);
   }
-  constexpr long kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  constexpr long smallest[] = {0, 0, 0x80, 0x800, 0x10000};
   bool const is_surrogate = code >= 0xd800 && code <= 0xdfff;
-  if (code < kSmallest[size] || code > 0x10ffff || is_surrogate) return {-1, 1};
+  if (code < smallest[size] || code > 0x10ffff || is_surrogate) return {-1, 1};
   return {code, size};
 }
 
