@@ -135,6 +135,8 @@ def pieces_of(points, closed=False):
 def limb(spine, widths, tip_round=True):
     """Points of a tapering band around a spine: one side, the tip, back along the other side.
 
+    Its two root points are corners, so that the root is a straight cut if the band is closed.
+
     spine   text of a curve, from the root to the tip
     widths  full widths in px, spread evenly from root to tip
     """
@@ -150,6 +152,7 @@ def limb(spine, widths, tip_round=True):
         left.append((x + dy * half, y - dx * half, False))
         right.append((x - dy * half, y + dx * half, False))
     x, y = curve.point(curve.length + widths[-1] * 0.5)
+    left[0], right[0] = (*left[0][:2], True), (*right[0][:2], True)
     return left + [(x, y, not tip_round)] + right[::-1]
 
 

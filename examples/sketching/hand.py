@@ -10,7 +10,7 @@ from math import sqrt
 
 from sketching.curve import distance
 
-CALM_REACH_PX = 300.0  # a stroke on a straight
+CALM_REACH_PX = 270.0  # a stroke on a straight
 TIGHT_REACH_PX = 75.0  # a stroke around a curl
 CURL = 1 / 55          # curvature at which the reach is half way between the two
 OPEN_END_FLY_PX = 8.0  # how far a stroke shoots over a corner
@@ -19,7 +19,7 @@ OPEN_END_FLY_PX = 8.0  # how far a stroke shoots over a corner
 class Hand:
     """How steady and how generous; lengths in px."""
 
-    def __init__(self, chance, drift=1.7, tremor=0.3, flare=4.0, reach=1.0, skip=0.07):
+    def __init__(self, chance, drift=2.3, tremor=0.35, flare=7.0, reach=1.0, skip=0.07):
         self.chance = chance
         self.drift = drift    # slow error beside the curve
         self.tremor = tremor  # fast error
@@ -38,16 +38,34 @@ class Hand:
                     if number > 0 and self.chance.happens(self.skip):
                         continue
                     start, end = self.run_over(start, end, low, high, is_whole)
-                    strokes.append(self.follow(curve, start, end, 1.6 if exploring else 1.0))
-            if count > 1 and number > 0 and self.chance.happens(0.5):
-                strokes += self.correction(curve, gaps)
+                    strokes.append(self.follow(curve, start, end, 1.7 if exploring else 1.0))
+            if number > 0:
+                for _ in range(round(curve.length / 500 + self.chance.about(0.5))):
+                    strokes += self.correction(curve, gaps)
         return strokes
 
     def fuzzy(self, gap):
         return (gap[0] + self.chance.about(5), gap[1] + self.chance.about(5))
 
     def cut(self, curve, low, high, number, is_whole):
-        """Where one stroke ends and the next begins, at equal effort."""
+        """Where one stroke ends and the next begins, at equal effort: [(from, to)]."""
+        marks, effort = self.effort_along(curve, low, high)
+        count = max(2 if is_whole else 1, round(effort[-1] + self.chance.about(0.5)))
+        if is_whole:
+            phase = self.chance.unit()
+            wobble = [0.0] + [self.chance.about(0.2) for _ in range(count - 1)] + [0.0]
+            shares = [(i + phase + wobble[i]) / count for i in range(count + 1)]
+            joints = [at_effort(marks, effort, share) for share in shares]
+        else:
+            # Every second pass joins its strokes where the others have their middles.
+            phase = 0.5 if number % 2 and count > 1 else 0.0
+            shares = [(i + phase + self.chance.about(0.2)) / count for i in range(count + 1)]
+            inner = [at_effort(marks, effort, share) for share in shares if 0 < share < 1]
+            joints = [low] + [j for j in inner if low + 12 < j < high - 12] + [high]
+        return [(a, b) for a, b in zip(joints, joints[1:]) if b - a > 4]
+
+    def effort_along(self, curve, low, high):
+        """Places along the curve and the effort spent up to each; 1 is what one stroke can do."""
         marks, effort = [low], [0.0]
         while marks[-1] < high:
             s = marks[-1]
@@ -55,19 +73,7 @@ class Hand:
             reach = TIGHT_REACH_PX + (CALM_REACH_PX - TIGHT_REACH_PX) / (1 + tight)
             marks.append(min(high, s + 6.0))
             effort.append(effort[-1] + (marks[-1] - s) / (reach * self.reach))
-        count = max(1, round(effort[-1] + self.chance.about(0.5)))
-        if is_whole:
-            count = max(2, count)
-        phase = self.chance.unit() if is_whole else (0.5 if number % 2 and count > 1 else 0.0)
-        joints = []
-        for i in range(count + 1):
-            share = min(1.0, max(0.0, (i + phase + self.chance.about(0.2)) / count))
-            if is_whole:
-                share = (i + phase + self.chance.about(0.2) * (0 < i < count)) / count
-            joints.append(at_effort(marks, effort, share))
-        if not is_whole:
-            joints = [low] + [j for j in joints if low + 12 < j < high - 12] + [high]
-        return [(a, b) for a, b in zip(joints, joints[1:]) if b - a > 4]
+        return marks, effort
 
     def run_over(self, start, end, low, high, is_whole):
         """A little early, a little late; at a corner or gap only as far as the pen slips."""
@@ -139,7 +145,7 @@ def free_runs(curve, gaps):
 
 def at_effort(marks, effort, share):
     """The place where `share` of the effort is spent; goes round for closed curves."""
-    turns = int(share // 1) if share >= 1.0 and share != 1.0 else 0
+    turns = int(share // 1)
     wanted = (share - turns) * effort[-1]
     length = marks[-1] - marks[0]
     for i in range(1, len(marks)):
@@ -157,7 +163,7 @@ def scribble(chance, x, y, radius, turns):
     dx, dy = 1.0, 0.0
     points, count = [], int(turns * 9)
     for i in range(count):
-        r = radius * (1 - 0.75 * i / count) * chance.between(0.88, 1.08)
+        r = radius * (1 - 0.95 * i / count) * chance.between(0.86, 1.1)
         points.append((x + dx * r, y + dy * r))
         dx, dy = dx * cosine - dy * sine, dx * sine + dy * cosine
     return points
@@ -170,3 +176,18 @@ def straight(chance, a, b):
     nx, ny = -(b[1] - a[1]) / max(length, 1e-6), (b[0] - a[0]) / max(length, 1e-6)
     middle = ((a[0] + b[0]) / 2 + nx * bow, (a[1] + b[1]) / 2 + ny * bow)
     return [a, middle, b]
+
+
+def zigzag(chance, x, y, radius_x, radius_y, steps):
+    """One wild stroke to and fro across an ellipse, in any direction."""
+    across = chance.between(-1, 1)
+    along = sqrt(1 - across * across)
+    rise = chance.between(0.07, 0.22)
+    low = chance.between(-0.85, max(-0.8, 0.85 - rise * steps))
+    points = []
+    for i in range(steps):
+        height = min(0.95, low + rise * i)
+        half = sqrt(1 - height * height) * chance.between(0.45, 0.97) * (1 if i % 2 else -1)
+        points.append((x + radius_x * (half * along - height * across),
+                       y + radius_y * (half * across + height * along)))
+    return points

@@ -3,7 +3,7 @@
 
 from sketching.chance import Chance
 from sketching.curve import Curve, blend, parse, pieces_of, smooth_through
-from sketching.hand import Hand, scribble, straight
+from sketching.hand import Hand, scribble, straight, zigzag
 
 INK, GREY, BLUE = "#22242b", "#6a6f7d", "#a9bedb"
 WARM, GREEN, TEAL = "#b4533c", "#5d8a54", "#159c95"
@@ -29,7 +29,7 @@ class Sheet:
         """Starts a group: a candidate layer."""
         self.groups.append((name, []))
 
-    def outline(self, *shapes, closed=False, passes=3, gaps="", width=2.5, loose=1.0, reach=1.0):
+    def outline(self, *shapes, closed=False, passes=3, gaps="", width=2.5, reach=1.0):
         """Contours that matter: several overlapping passes, some bits restated.
 
         shapes  texts or point lists
@@ -37,10 +37,10 @@ class Sheet:
         """
         for points in map(self.designed, shapes):
             chance = self.chance()
-            hand = Hand(chance, drift=1.7 * loose, flare=4.5 * loose, reach=reach)
+            hand = Hand(chance, reach=reach)
             for curve in pieces_of(points, closed):
-                for number, stroke in enumerate(hand.passes(curve, passes, self.gaps_on(curve, gaps))):
-                    self.add(stroke, INK, width + chance.about(0.5) - (0.3 if number == 0 else 0))
+                for stroke in hand.passes(curve, passes, self.gaps_on(curve, gaps)):
+                    self.add(stroke, INK, width + chance.about(0.6))
 
     def line(self, *shapes, closed=False, width=1.9, colour=INK, loose=1.0):
         """Inner detail: drawn once."""
@@ -51,34 +51,32 @@ class Sheet:
                 for stroke in hand.passes(curve, 1):
                     self.add(stroke, colour, width + chance.about(0.25))
 
-    def hatch(self, start, end, count, colour=GREY, width=1.4):
-        """Shading: `count` quick lines from the curve `start` to the curve `end`."""
+    def hatch(self, start, end, count, slant=0.06, colour=GREY, width=1.4):
+        """Shading: `count` quick lines from the curve `start` to the curve `end`, short at its ends.
+
+        slant   how far each line runs ahead, as a part of the curves' length
+        """
         chance = self.chance()
         first = Curve(smooth_through([p[:2] for p in self.designed(start)]))
         last = Curve(smooth_through([p[:2] for p in self.designed(end)]))
         for i in range(count):
-            t = (i + 0.5 + chance.about(0.3)) / count
-            a, b = first.point(t * first.length), last.point(t * last.length)
-            a, b = blend(a, b, chance.between(-0.06, 0.14)), blend(a, b, chance.between(0.8, 1.08))
-            self.add(straight(chance, a, b), colour, width + chance.about(0.2))
+            t = (i + 0.5 + chance.about(0.45)) / count
+            a, b = first.point(t * first.length), last.point((t + slant) * last.length)
+            reach = (0.45 + 2.4 * t * (1 - t)) * chance.between(0.7, 1.15)
+            a, b = blend(a, b, chance.between(-0.08, 0.08)), blend(a, b, reach)
+            self.add(straight(chance, a, b), colour, width + chance.about(0.25))
 
     def eye(self, x, y, radius, turns=4, colour=INK, width=2.0):
         self.add(scribble(self.chance(), *self.place(x, y), radius, turns), colour, width)
 
     def scrawl(self, x, y, radius_x, radius_y, count, colour=INK, width=2.0):
-        """Careless long strokes all over an ellipse."""
+        """Careless strokes to and fro, all over an ellipse."""
         chance = self.chance()
         for _ in range(count):
-            slant, points = chance.between(-1, 1), []
-            height = chance.about(0.9)
-            half = 1 - height * height
-            for i in range(5):
-                t = (i / 2 - 1) * half * 0.9
-                points.append((x + radius_x * (t + chance.about(0.1)),
-                               y + radius_y * (height + slant * t * 0.5 + chance.about(0.12))))
-            curve = Curve(smooth_through(points))
-            hand = Hand(chance, drift=2.0)
-            self.add(hand.follow(curve, 0, curve.length), colour, width + chance.about(0.4))
+            steps = 3 + int(chance.unit() * 6)
+            turns = zigzag(chance, x, y, radius_x, radius_y, steps)
+            # Too fast for the hand to correct anything: the bare curve, thinly sampled.
+            self.add(smooth_through(turns)[::18], colour, width + chance.about(0.4))
 
     def guide(self, *shapes, closed=False):
         """Light construction lines, meant to be ignored."""
