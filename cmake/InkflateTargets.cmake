@@ -8,6 +8,11 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 option(INKFLATE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 
+find_program(INKFLATE_CCACHE ccache)
+if(INKFLATE_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${INKFLATE_CCACHE})
+endif()
+
 add_library(inkflate_flags INTERFACE)
 # Contraction to fused multiply-add would make results depend on the processor.
 target_compile_options(inkflate_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow
@@ -21,11 +26,16 @@ if(INKFLATE_SANITIZE)
   target_compile_options(inkflate_flags INTERFACE -fsanitize=address,undefined
                                                   -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(inkflate_flags INTERFACE -fsanitize=address,undefined)
+  target_compile_definitions(inkflate_flags INTERFACE INKFLATE_SANITIZE)
 endif()
 if(EMSCRIPTEN)
   # CommonJS for node; a stack of 1 MB because the default is small and overflows silently.
   target_link_options(inkflate_flags INTERFACE -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1
                       -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1048576)
+  # Debian keeps the JavaScript parser that the link step needs outside of node's own search path.
+  set(CMAKE_CXX_LINKER_LAUNCHER env NODE_PATH=/usr/share/nodejs)
+  # Without it, node tries to fetch the program's file as if it were an address.
+  set(CMAKE_CROSSCOMPILING_EMULATOR node --no-experimental-fetch)
 endif()
 
 # inkflate_library(FOLDER [folder it may include ...]): the library of one folder of src/.
@@ -38,4 +48,19 @@ function(inkflate_library name)
   target_compile_options(inkflate_${name} PRIVATE -fno-exceptions)
   list(TRANSFORM ARGN PREPEND inkflate_)
   target_link_libraries(inkflate_${name} PUBLIC ${ARGN} PRIVATE inkflate_flags)
+  inkflate_check_headers(inkflate_${name} ${sources})
+endfunction()
+
+# Every header has to compile on its own. One that NAME.cpp includes first (a test of the house sees to that) is
+# proven by NAME.cpp; for each of the others a file with that one include is compiled into the library.
+function(inkflate_check_headers target)
+  foreach(source IN LISTS ARGN)
+    string(REGEX REPLACE "\\.h$" ".cpp" partner ${source})
+    if(source MATCHES "\\.h$" AND NOT EXISTS ${partner})
+      file(RELATIVE_PATH header ${CMAKE_CURRENT_SOURCE_DIR}/.. ${source})
+      set(alone ${CMAKE_CURRENT_BINARY_DIR}/alone/${header}.cpp)
+      file(CONFIGURE OUTPUT ${alone} CONTENT "#include \"${header}\"\n")
+      target_sources(${target} PRIVATE ${alone})
+    endif()
+  endforeach()
 endfunction()

@@ -5,15 +5,10 @@
 #include <string>
 
 #include "base/result.h"
+#include "base/stage_time.h"
 #include "model/drawing.h"
 
 namespace inkflate {
-
-/// What one stage took. The stages "read" and "write" are listed but not part of the total.
-struct StageTime {
-  std::string stage;
-  double ms = 0;
-};
 
 /// The JSON object that `simplify --json` prints, on one line.
 ///
@@ -23,7 +18,8 @@ struct StageTime {
 ///      "ms": {stage: ms, ..., "total"}}
 ///
 /// Points are px, within 0.1 px of the curve and rounded to 0.001; area is positive for holes too; strokes, details and
-/// stray are counts; closings and open runs name their layer by index. Keys keep this order.
+/// stray are counts; closings and open runs name their layer by index. Keys keep this order. The stages "read" and
+/// "write" are listed but not part of the total.
 std::string json_report(Drawing const& drawing, std::span<StageTime const> stages);
 
 /// {"error": {"code", "message", "where"}}; where is the error's index, or null.

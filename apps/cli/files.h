@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace inkflate::cli {
+
+/// The name that means standard input or standard output.
+inline constexpr std::string_view kStandardStream = "-";
+
+/// The whole content of a file, or of standard input for "-".
+///
+/// errors  FileSystem; TooLarge (more than kMaxFileBytes; noticed before memory is taken)
+Result<std::vector<std::byte>> read_file(std::string const& path);
+inline constexpr long long kMaxFileBytes = 64LL << 20U;  // docs/LIMITS.md
+
+/// Puts a file in place as a whole: a new file beside it is written, brought to the disk and renamed, so that at
+/// every moment there is the old file or the new one. A link at that name is replaced, not followed, except that
+/// devices and pipes (also behind a link) are written to. "-" is standard output.
+///
+/// out     nothing: done; else FileSystem, and what was there before is unchanged
+std::optional<Error> write_file(std::string const& path, std::span<std::byte const> content);
+std::optional<Error> write_file(std::string const& path, std::string_view content);
+
+}  // namespace inkflate::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace inkflate::cli {
+
+/// Where the outputs of several inputs go.
+struct OutputRule {
+  std::string option;     // how the user calls it: "-o"
+  std::string name;       // a file, FOLDER/ or a folder that exists; empty: no output of this kind
+  std::string extension;  // of the files in a folder: ".svg"
+};
+
+/// The file to write for each input: the named one, or in a folder the input's name with the rule's extension.
+///
+/// out     one path for each input; all empty if the rule names nothing
+/// errors  BadOption (several inputs and no folder)
+Result<std::vector<std::string>> plan_outputs(std::vector<std::string> const& inputs,
+                                              OutputRule const& rule);
+
+/// Makes the folder, and those above it, of a name that ends with a slash; other names are left alone.
+///
+/// out     nothing: done; else FileSystem
+std::optional<Error> make_folder(std::string const& name);
+
+/// Refuses (BadOption) a file that would be written twice, or that is one of the inputs. Empty paths and "-" for
+/// standard output do not count.
+std::optional<Error> find_collision(std::vector<std::string> const& inputs,
+                                    std::vector<std::string> const& outputs);
+
+}  // namespace inkflate::cli
