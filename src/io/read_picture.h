@@ -12,7 +12,7 @@ namespace inkflate {
 /// What a picture may ask for; checked by its headers, before memory is taken.
 struct PictureLimits {
   static constexpr long long kFileBytes = 64LL << 20U;
-  static constexpr long long kSide_px = 16384;
+  static constexpr long long kSidePx = 16384;
   static constexpr long long kPixels = 64'000'000;
   static constexpr long long kDecoderBytes = 512LL << 20U;
   static constexpr long long kJpegScanPixels = 1'000'000'000;  // scans x pixels
