@@ -214,7 +214,8 @@ Result<Picture> read_png(std::span<std::byte const> file) {
     }
   }
   if (!stream.finish()) {
-    return Error{ErrorCode::BadInput, "damaged PNG: the checksum of its pixels is wrong"};
+    return Error{ErrorCode::BadInput,
+                 "damaged PNG: its pixels are longer than the picture, or altered"};
   }
   return picture;
 }
