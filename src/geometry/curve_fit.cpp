@@ -15,6 +15,10 @@ constexpr int kMostRefinements = 4;
 // Refining helps only when the fit is already near: Schneider's threshold, as a factor on the squared error.
 constexpr double kWorthRefining = 16;
 
+// The range of sane handles, as a share of the chord.
+constexpr double kLeastHandle = 0.02;
+constexpr double kMostHandle = 3;
+
 /// The points first .. last, and the tangents that the cubic must have.
 struct Piece {
   int first;
@@ -32,6 +36,19 @@ class Fitter {
  public:
   Fitter(std::span<Vec2 const> points, double tolerance)
       : points_(points), limit_(tolerance * tolerance) {}
+
+  std::optional<Cubic> fit_free() {
+    Piece const whole = {0, static_cast<int>(std::ssize(points_)) - 1, {}, {}};
+    if (whole.last < 3) return std::nullopt;
+    set_chord_parameters(whole);
+    auto curve = free_least_squares();
+    for (int i = 0; i < kMostRefinements; ++i) {
+      if (worst_error(whole, curve).squared <= limit_) return curve;
+      refine_parameters(whole, curve);
+      curve = free_least_squares();
+    }
+    return std::nullopt;
+  }
 
   std::vector<FittedCubic> fit(Vec2 start_tangent, Vec2 end_tangent) {
     std::vector<FittedCubic> fitted;
@@ -69,6 +86,32 @@ class Fitter {
     }
     split_at = worst.squared > limit_ ? worst.index : -1;
     return curve;
+  }
+
+  /// Both inner control points that make the sum of squared distances least, at the current parameters.
+  Cubic free_least_squares() const {
+    auto const start = points_.front();
+    auto const end = points_.back();
+    double c00 = 0;
+    double c01 = 0;
+    double c11 = 0;
+    Vec2 x0;
+    Vec2 x1;
+    for (std::size_t k = 0; k < parameters_.size(); ++k) {
+      double const t = parameters_[k];
+      double const s = 1 - t;
+      double const b1 = 3 * s * s * t;
+      double const b2 = 3 * s * t * t;
+      auto const rest = points_[k] - start * (s * s * s) - end * (t * t * t);
+      c00 += b1 * b1;
+      c01 += b1 * b2;
+      c11 += b2 * b2;
+      x0 += rest * b1;
+      x1 += rest * b2;
+    }
+    double const determinant = c00 * c11 - c01 * c01;
+    if (determinant <= 1e-9 * c00 * c11) return line_cubic(start, end);
+    return {{start, (x0 * c11 - x1 * c01) / determinant, (x1 * c00 - x0 * c01) / determinant, end}};
   }
 
   /// With two points only the tangents say anything: handles of a third of the distance.
@@ -115,19 +158,14 @@ class Fitter {
     }
     double const determinant = c00 * c11 - c01 * c01;
     double const span = distance(start, end);
-    double const least = 1e-3 * span;
     double first = span / 3;
     double second = span / 3;
     if (std::abs(determinant) > 1e-9 * c00 * c11) {
-      double const fitted_first = (x0 * c11 - x1 * c01) / determinant;
-      double const fitted_second = (c00 * x1 - c01 * x0) / determinant;
-      // Negative handles run backwards: a loop. Very long ones too. Then the third of the chord is the sane answer.
-      double const most = 3 * span;
-      if (fitted_first > least && fitted_second > least && fitted_first < most &&
-          fitted_second < most) {
-        first = fitted_first;
-        second = fitted_second;
-      }
+      // Negative handles run backwards: a loop. Very long ones loop too.
+      first =
+          std::clamp((x0 * c11 - x1 * c01) / determinant, kLeastHandle * span, kMostHandle * span);
+      second =
+          std::clamp((c00 * x1 - c01 * x0) / determinant, kLeastHandle * span, kMostHandle * span);
     }
     return {{start, start + piece.start_tangent * first, end - piece.end_tangent * second, end}};
   }
@@ -170,6 +208,12 @@ class Fitter {
 };
 
 }  // namespace
+
+std::optional<Cubic> fit_one_cubic(std::span<Vec2 const> points, double tolerance) {
+  CHECK(points.size() >= 2, "a curve needs two points");
+  CHECK(tolerance > 0, "no fit is exact");
+  return Fitter(points, tolerance).fit_free();
+}
 
 std::vector<FittedCubic> fit_cubics(std::span<Vec2 const> points, Vec2 start_tangent,
                                     Vec2 end_tangent, double tolerance) {

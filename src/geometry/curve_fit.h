@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,13 @@ struct FittedCubic {
   int first = 0;
   int last = 0;
 };
+
+/// One cubic from the first point to the last, with any tangents: for the sides between two corners.
+///
+/// in      as fit_cubics
+/// out     none if the points were not within tolerance of one after a few steps, or if there are fewer than four points
+/// cost    O(n)
+std::optional<Cubic> fit_one_cubic(std::span<Vec2 const> points, double tolerance);
 
 /// Fits smoothly joined cubics (common tangents) to a polyline: as few as a greedy split gives.
 ///

@@ -215,6 +215,7 @@ bool is_closed(std::vector<ChainPoints> const& chains) {
 std::vector<FittedCubic> fit_ink(ChainPoints& chain, bool closed, FitOptions const& options) {
   auto& points = chain.points;
   int const radius = static_cast<int>(options.smooth * kAverage + 0.5);
+  double const tolerance = std::max(kLeastTolerance_px, options.smooth * kTolerance_px);
   Vec2 start;
   Vec2 end;
   if (closed) {
@@ -225,12 +226,14 @@ std::vector<FittedCubic> fit_ink(ChainPoints& chain, bool closed, FitOptions con
     points.push_back(points.front());
   } else {
     smooth_twice(points, [&](Polyline& p) { smooth_open(p, radius); });
+    if (auto const one = fit_one_cubic(points, tolerance)) {
+      return {{*one, 0, static_cast<int>(std::ssize(points)) - 1}};
+    }
     auto const near_start = points[index_at(points, kEndReach_px, 1)];
     auto const near_end = points[index_at(points, kEndReach_px, -1)];
     start = normalized(near_start - points.front());
     end = normalized(points.back() - near_end);
   }
-  double const tolerance = std::max(kLeastTolerance_px, options.smooth * kTolerance_px);
   return fit_cubics(points, start, end, tolerance);
 }
 
