@@ -15,13 +15,16 @@ struct ClosedStrokes {
   std::vector<int> stray;
 };
 
-/// Method `cut` on some strokes of a sketch: the stages in order.
+/// Closes some strokes of a sketch by one method or the other.
 ///
 /// in      chosen: indices into sketch.strokes; frame: around all strokes of the sketch; options: valid
 /// out     no layer at all when nothing is enclosed
-/// errors  BadOption (an inside mark beyond the strokes), Cancelled
+/// errors  by_cut: BadOption (an inside mark beyond the strokes), Cancelled; by_grid: those of close_on_grid but NothingThere
 /// source  docs/algorithms/simplify.md
-Result<ClosedStrokes> close_strokes(Sketch const& sketch, std::span<int const> chosen,
+Result<ClosedStrokes> close_by_cut(Sketch const& sketch, std::span<int const> chosen,
+                                   Frame const& frame, SimplifyOptions const& options,
+                                   Progress const& progress);
+Result<ClosedStrokes> close_by_grid(Sketch const& sketch, std::span<int const> chosen,
                                     Frame const& frame, SimplifyOptions const& options,
                                     Progress const& progress);
 

@@ -16,6 +16,10 @@ std::optional<Error> check(SimplifyOptions const& options) {
   if (options.gap_px && !(*options.gap_px > 0 && std::isfinite(*options.gap_px))) {
     return Error{ErrorCode::BadOption, "gap must be a length above 0 px, or auto"};
   }
+  if (options.gap_px && options.method == SimplifyMethod::Grid) {
+    return Error{ErrorCode::BadOption,
+                 "method grid closes gaps by its energy alone; use method cut to limit them"};
+  }
   if (!(options.smooth >= 0 && options.smooth <= 1)) {
     return Error{ErrorCode::BadOption, "smooth must lie between 0 and 1"};
   }
@@ -76,11 +80,12 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
                          Progress const& progress) {
   if (auto const error = check(options)) return *error;
   if (auto const error = check(sketch)) return *error;
+  auto const close = options.method == SimplifyMethod::Cut ? close_by_cut : close_by_grid;
   auto const frame = frame_of(sketch);
   Drawing drawing = {sketch, {}, {}};
   auto const groups = strokes_by_group(sketch, options.parts);
   for (std::size_t group = 0; group < groups.size(); ++group) {
-    auto closed = close_strokes(sketch, groups[group], frame, options, progress);
+    auto closed = close(sketch, groups[group], frame, options, progress);
     if (!closed) return closed.error();
     for (auto& layer : closed->layers) {
       layer.name = layer_name(sketch, options.parts, group, drawing.layers.size());

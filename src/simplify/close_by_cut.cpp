@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simplify/close_strokes.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "simplify/carve_holes.h"
 #include "simplify/cell_cut.h"
 #include "simplify/centre_rim.h"
+#include "simplify/close_strokes.h"
 #include "simplify/fit_rims.h"
 #include "simplify/prune_whiskers.h"
 #include "simplify/sort_strokes.h"
@@ -98,9 +97,9 @@ std::vector<Part> choose_parts(std::vector<Rim> const& rims, StrokeSamples const
 
 }  // namespace
 
-Result<ClosedStrokes> close_strokes(Sketch const& sketch, std::span<int const> chosen,
-                                    Frame const& frame, SimplifyOptions const& options,
-                                    Progress const& progress) {
+Result<ClosedStrokes> close_by_cut(Sketch const& sketch, std::span<int const> chosen,
+                                   Frame const& frame, SimplifyOptions const& options,
+                                   Progress const& progress) {
   if (!progress.enter("sample")) return cancelled();
   auto sampled = sample_strokes(sketch, chosen, frame, kSpacing_px);
   if (!progress.enter("triangulate")) return cancelled();
