@@ -29,17 +29,17 @@ class Envelope {
 
  private:
   void build(std::vector<double> const& heights) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     std::size_t top = 0;
     apex_[0] = 0;
-    start_[0] = -kInfinity;
-    start_[1] = kInfinity;
+    start_[0] = -infinity;
+    start_[1] = infinity;
     for (std::size_t q = 1; q < heights.size(); ++q) {
       double crossing = meeting(heights, apex_[top], q);
       while (crossing <= start_[top]) crossing = meeting(heights, apex_[--top], q);
       apex_[++top] = q;
       start_[top] = crossing;
-      start_[top + 1] = kInfinity;
+      start_[top + 1] = infinity;
     }
   }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "image/to_byte.h"
+
 namespace inkflate {
 namespace {
 
@@ -47,8 +49,6 @@ void add_row(Picture const& picture, int y, std::vector<Cover> const& columns, d
     for (std::size_t c = 0; c < 4; ++c) sums[x][c] += weight * sum[c];
   }
 }
-
-std::uint8_t rounded(double value) { return static_cast<std::uint8_t>(value + 0.5); }
 
 /// The best value of each window along rows, written transposed: two passes give the square.
 template <typename Better>
@@ -107,7 +107,7 @@ Picture shrink(Picture const& picture, int width, int height) {
     for (double const share : row.shares) add_row(picture, from++, columns, share, sums);
     for (int x = 0; x < width; ++x) {
       auto const& sum = sums[static_cast<std::size_t>(x)];
-      result.at(x, y) = {rounded(sum[0]), rounded(sum[1]), rounded(sum[2]), rounded(sum[3])};
+      result.at(x, y) = {to_byte(sum[0]), to_byte(sum[1]), to_byte(sum[2]), to_byte(sum[3])};
     }
   }
   return result;

@@ -7,6 +7,7 @@
 
 #include "image/filter.h"
 #include "image/otsu.h"
+#include "image/to_byte.h"
 
 namespace inkflate {
 namespace {
@@ -135,7 +136,7 @@ void close_and_smooth(Grid2<Rgb>& cells) {
   for (std::size_t c = 0; c < 3; ++c) {
     Mask channel(cells.width, cells.height);
     for (std::size_t i = 0; i < cells.values.size(); ++i) {
-      channel.values[i] = static_cast<std::uint8_t>(cells.values[i][c] + 0.5);
+      channel.values[i] = to_byte(cells.values[i][c]);
     }
     auto const closed = local_minimum(local_maximum(channel, kClosingCells), kClosingCells);
     Grid2<double> smooth(cells.width, cells.height);
@@ -179,6 +180,7 @@ FlatScan flatten_paper(Picture const& picture) {
   close_and_smooth(cells.paper);
   FlatScan flat{Picture(picture.width, picture.height), Mask(picture.width, picture.height)};
   std::vector<Between> columns;
+  columns.reserve(static_cast<std::size_t>(picture.width));
   for (int x = 0; x < picture.width; ++x) {
     columns.push_back(between(x, cells.side_px, cells.paper.width));
   }
@@ -188,7 +190,7 @@ FlatScan flatten_paper(Picture const& picture) {
       auto const paper = paper_at(cells.paper, columns[static_cast<std::size_t>(x)], down);
       auto const pixel = picture.at(x, y);
       auto const relative = [](std::uint8_t value, double white) {
-        return static_cast<std::uint8_t>(std::min(255.0, 255 * value / white) + 0.5);
+        return to_byte(std::min(255.0, 255 * value / white));
       };
       Colour const colour = {relative(pixel.r, paper[0]), relative(pixel.g, paper[1]),
                              relative(pixel.b, paper[2])};

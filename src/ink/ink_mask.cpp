@@ -15,12 +15,12 @@ namespace {
 /// Weaker differences are the texture of paper, however even the rest is.
 constexpr double kFaintestInk = 14;
 /// Areas of fewer pixels are dust; smaller still in small pictures, where a dot has few.
-constexpr int kSmallestDot_px = 6;
-constexpr int kLargestSpeck_px = 20;
-constexpr double kSpeckSide_px = 1600;
+constexpr int kSmallestDotPx = 6;
+constexpr int kLargestSpeckPx = 20;
+constexpr double kSpeckSidePx = 1600;
 /// An area is solid where a disc of this many pen radii (and a few px) fits in.
 constexpr double kSolidRadii = 3;
-constexpr double kSolidMargin_px = 3;
+constexpr double kSolidMarginPx = 3;
 /// No pen is thicker than this share of the longer side: a page of nothing but solid areas has no pen to measure.
 constexpr double kThickestPen = 0.006;
 
@@ -40,9 +40,9 @@ Mask at_least(Mask const& values, double threshold) {
 }
 
 long long speck_area(Mask const& mask) {
-  double const scale = std::max(mask.width, mask.height) / kSpeckSide_px;
-  return std::clamp(static_cast<int>(kLargestSpeck_px * scale * scale), kSmallestDot_px,
-                    kLargestSpeck_px);
+  double const scale = std::max(mask.width, mask.height) / kSpeckSidePx;
+  return std::clamp(static_cast<int>(kLargestSpeckPx * scale * scale), kSmallestDotPx,
+                    kLargestSpeckPx);
 }
 
 Grid2<double> distance_to_paper(Mask const& mask) {
@@ -92,7 +92,7 @@ Mask solid_cores(Grid2<double> const& radius_px, double rim_px, double solid_px)
 /// Takes the inside of solid areas away, so that a line around them is left.
 void hollow_solids(InkMask& ink) {
   double const pen_px = pen_radius(ink.radius_px);
-  double const solid_px = kSolidRadii * pen_px + kSolidMargin_px;
+  double const solid_px = kSolidRadii * pen_px + kSolidMarginPx;
   auto const cores = solid_cores(ink.radius_px, 2 * pen_px + 1, solid_px);
   bool has_cores = false;
   for (std::size_t i = 0; i < cores.values.size(); ++i) {

@@ -13,11 +13,11 @@ namespace {
 
 /// Spurs within this many radii of the ink (and a px or two) do not reach out of it.
 constexpr double kSpurRadii = 1.3;
-constexpr double kSpurMargin_px = 2;
+constexpr double kSpurMarginPx = 2;
 /// The two halves of a crossing lie this near, by the radius of the ink there; lines that cross flatly lie farther
 /// apart and stay two.
 constexpr double kCrossingRadii = 1.6;
-constexpr double kCrossingMargin_px = 1;
+constexpr double kCrossingMarginPx = 1;
 
 struct Pixel {
   int x = 0;
@@ -200,7 +200,7 @@ void prune_spurs(LineGraph& graph) {
     int const inner = starts_free ? edge.to : edge.from;
     int const outer = starts_free ? edge.from : edge.to;
     if (degrees[slot(outer)] != 1 || degrees[slot(inner)] < 3) continue;
-    double const reach_px = kSpurRadii * graph.nodes[slot(inner)].radius_px + kSpurMargin_px;
+    double const reach_px = kSpurRadii * graph.nodes[slot(inner)].radius_px + kSpurMarginPx;
     if (edge_length(graph, edge) > reach_px) continue;
     is_removed[slot(index)] = 1;
     --degrees[slot(inner)];
@@ -222,7 +222,7 @@ void merge_crossings(LineGraph& graph) {
     if (degrees[slot(edge.from)] != 3 || degrees[slot(edge.to)] != 3) continue;
     double const radius_px =
         std::max(graph.nodes[slot(edge.from)].radius_px, graph.nodes[slot(edge.to)].radius_px);
-    if (edge_length(graph, edge) > kCrossingRadii * radius_px + kCrossingMargin_px) continue;
+    if (edge_length(graph, edge) > kCrossingRadii * radius_px + kCrossingMarginPx) continue;
     int const from = root(parents, edge.from);
     int const to = root(parents, edge.to);
     if (from == to) continue;

@@ -8,7 +8,7 @@
 namespace inkflate {
 namespace {
 
-constexpr double kSpacing_px = 2.5;
+constexpr double kSpacingPx = 2.5;
 /// Two passes of a mean over 2 * 2 + 1 points: enough against steps of one pixel, and a bow of 10 px radius shrinks
 /// by a fifth of a pixel only.
 constexpr int kSmoothReach = 2;
@@ -16,10 +16,10 @@ constexpr int kSmoothPasses = 2;
 /// Directions across the line are taken from points this far along it.
 constexpr int kDirectionReach = 4;
 /// How far thinning may be from the middle.
-constexpr double kLargestShift_px = 1.5;
+constexpr double kLargestShiftPx = 1.5;
 /// Beyond the pen's radius the ink must have faded, else another line lies there.
-constexpr double kClearance_px = 2;
-constexpr double kProfileStep_px = 0.5;
+constexpr double kClearancePx = 2;
+constexpr double kProfileStepPx = 0.5;
 /// Points beyond the pen's radius that the end of a line may bend.
 constexpr int kEndMargin = 2;
 
@@ -74,13 +74,13 @@ struct Profile {
 };
 
 Profile profile_across(Mask const& strength, Vec2 p, Vec2 across, double radius_px) {
-  int const steps = static_cast<int>((radius_px + kClearance_px) / kProfileStep_px + 1);
+  int const steps = static_cast<int>((radius_px + kClearancePx) / kProfileStepPx + 1);
   double sum = 0;
   double moment = 0;
   double most = 0;
   double rim = 0;
   for (int i = -steps; i <= steps; ++i) {
-    double const offset_px = i * kProfileStep_px;
+    double const offset_px = i * kProfileStepPx;
     double const value = strength_at(strength, p + offset_px * across);
     sum += value;
     moment += value * offset_px;
@@ -88,7 +88,7 @@ Profile profile_across(Mask const& strength, Vec2 p, Vec2 across, double radius_
     if (i == -steps || i == steps) rim = std::max(rim, value);
   }
   if (most <= 0) return {};
-  return {moment / sum, sum * kProfileStep_px / most, rim < 0.3 * most};
+  return {moment / sum, sum * kProfileStepPx / most, rim < 0.3 * most};
 }
 
 double radius_at(Grid2<double> const& radius_px, Vec2 p) {
@@ -114,7 +114,7 @@ double centre_points(std::vector<Vec2>& points, Indices const& indices, Mask con
     normals[slot(i)] = perpendicular(normalized(along));
     auto const profile = profile_across(strength, p, normals[slot(i)], radius);
     if (!profile.is_clear) continue;
-    shifts[slot(i)] = std::clamp(profile.shift_px, -kLargestShift_px, kLargestShift_px);
+    shifts[slot(i)] = std::clamp(profile.shift_px, -kLargestShiftPx, kLargestShiftPx);
     clear_width_px += profile.width_px;
     ++clear_count;
   }
@@ -143,7 +143,7 @@ void straighten_ends(std::vector<Vec2>& points, double radius_px) {
 /// Points at equal distances; both ends stay.
 Polyline resampled(Polyline const& points) {
   double const total_px = length(points);
-  int const count = std::max(1, static_cast<int>(total_px / kSpacing_px + 0.5));
+  int const count = std::max(1, static_cast<int>(std::round(total_px / kSpacingPx)));
   Polyline result = {points.front()};
   double done_px = 0;
   std::size_t i = 1;

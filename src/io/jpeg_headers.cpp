@@ -68,14 +68,14 @@ std::optional<Error> read_frame(unsigned marker, std::span<std::byte const> payl
 
 /// Whether the segment's tables are whole and no table has more than 256 codes: the decoder trusts them.
 bool has_sound_tables(std::span<std::byte const> payload) {
-  constexpr std::size_t kHeadBytes =
+  constexpr std::size_t head_bytes =
       17;  // the table's name, then how many codes have 1, 2, .. 16 bits
   while (!payload.empty()) {
-    if (payload.size() < kHeadBytes) return false;
+    if (payload.size() < head_bytes) return false;
     std::size_t codes = 0;
-    for (std::size_t i = 1; i < kHeadBytes; ++i) codes += static_cast<std::size_t>(payload[i]);
-    if (codes > 256 || payload.size() - kHeadBytes < codes) return false;
-    payload = payload.subspan(kHeadBytes + codes);
+    for (std::size_t i = 1; i < head_bytes; ++i) codes += static_cast<std::size_t>(payload[i]);
+    if (codes > 256 || payload.size() - head_bytes < codes) return false;
+    payload = payload.subspan(head_bytes + codes);
   }
   return true;
 }
@@ -136,11 +136,11 @@ Result<JpegHeaders> read_jpeg_headers(std::span<std::byte const> file) {
 }
 
 Orientation exif_orientation(std::span<std::byte const> payload) {
-  constexpr std::size_t kPrefixBytes = 6;  // "Exif" and two zeros
-  if (payload.size() < kPrefixBytes + 8 || std::memcmp(payload.data(), "Exif\0\0", 6) != 0) {
+  constexpr std::size_t prefix_bytes = 6;  // "Exif" and two zeros
+  if (payload.size() < prefix_bytes + 8 || std::memcmp(payload.data(), "Exif\0\0", 6) != 0) {
     return Orientation::Upright;
   }
-  auto const tiff = payload.subspan(kPrefixBytes);
+  auto const tiff = payload.subspan(prefix_bytes);
   bool const is_little = tiff[0] == std::byte{'I'};
   auto const number16 = [&](std::size_t at) {
     return is_little ? little_endian16(tiff.subspan(at)) : big_endian16(tiff.subspan(at));

@@ -10,7 +10,7 @@ namespace inkflate {
 
 /// The checksum of a PNG chunk: CRC-32 with the polynomial of ISO 3309 (PNG specification, annex D).
 inline std::uint32_t png_crc(std::span<std::byte const> bytes) {
-  static constexpr auto kTable = [] {
+  static constexpr auto table_of_bytes = [] {
     std::array<std::uint32_t, 256> table{};
     for (std::uint32_t n = 0; n < 256; ++n) {
       std::uint32_t value = n;
@@ -23,7 +23,7 @@ inline std::uint32_t png_crc(std::span<std::byte const> bytes) {
   }();
   std::uint32_t crc = 0xffffffffU;
   for (auto const byte : bytes) {
-    crc = kTable[(crc ^ static_cast<std::uint32_t>(byte)) & 0xffU] ^ (crc >> 8U);
+    crc = table_of_bytes[(crc ^ static_cast<std::uint32_t>(byte)) & 0xffU] ^ (crc >> 8U);
   }
   return crc ^ 0xffffffffU;
 }

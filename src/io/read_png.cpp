@@ -25,8 +25,9 @@ struct Chunk {
   bool is_critical() const { return (static_cast<unsigned char>(type[0]) & 32U) == 0; }
 };
 
-Error damaged(std::string message, std::size_t offset) {
-  return {ErrorCode::BadInput, "damaged PNG: " + message + " at byte " + std::to_string(offset),
+Error damaged(char const* message, std::size_t offset) {
+  return {ErrorCode::BadInput,
+          "damaged PNG: " + std::string(message) + " at byte " + std::to_string(offset),
           static_cast<long long>(offset)};
 }
 
@@ -187,7 +188,7 @@ Result<bool> check_picture_size(long long width, long long height) {
   auto const size = std::to_string(width) + " x " + std::to_string(height);
   if (width <= 0 || height <= 0)
     return Error{ErrorCode::BadInput, "a picture without pixels: " + size};
-  if (width > PictureLimits::kSide_px || height > PictureLimits::kSide_px) {
+  if (width > PictureLimits::kSidePx || height > PictureLimits::kSidePx) {
     return Error{
         ErrorCode::TooLarge,
         "the picture is " + size + " px, over the limit of 16384 px for a side: make it smaller"};
@@ -213,7 +214,8 @@ Result<Picture> read_png(std::span<std::byte const> file) {
     }
   }
   if (!stream.finish()) {
-    return Error{ErrorCode::BadInput, "damaged PNG: the checksum of its pixels is wrong"};
+    return Error{ErrorCode::BadInput,
+                 "damaged PNG: its pixels are longer than the picture, or altered"};
   }
   return picture;
 }

@@ -9,7 +9,7 @@ namespace inkflate {
 namespace {
 
 /// Finer than an antialiased picture can show.
-constexpr double kFlattenTolerance_px = 0.05;
+constexpr double kFlattenTolerancePx = 0.05;
 /// The width of a line drawn without any pressure, as a share of the full width.
 constexpr double kLightestPress = 0.4;
 constexpr std::uint8_t kFaintAlpha = 64;  // 25 %, as hidden ink
@@ -66,7 +66,7 @@ void add_layer(DrawList& list, Layer const& layer, Sketch const& sketch, double 
   FilledPath shape;
   shape.colour = palette::kShape;
   for (auto const& outline : layer.outlines) {
-    shape.contours.push_back(flatten(outline, kFlattenTolerance_px));
+    shape.contours.push_back(flatten(outline, kFlattenTolerancePx));
   }
   list.push_back(std::move(shape));
   for (int const index : layer.details) {
@@ -76,7 +76,7 @@ void add_layer(DrawList& list, Layer const& layer, Sketch const& sketch, double 
     add_stroke(list, detail);
   }
   for (auto const& outline : layer.outlines) {
-    for (auto const& run : runs(outline, kFlattenTolerance_px)) add_run(list, run, width_px);
+    for (auto const& run : runs(outline, kFlattenTolerancePx)) add_run(list, run, width_px);
   }
 }
 

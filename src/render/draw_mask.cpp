@@ -7,12 +7,12 @@
 namespace inkflate {
 namespace {
 
-constexpr double kLargestSide_px = 16384;
+constexpr double kLargestSidePx = 16384;
 /// Far below the half pixel that decides; the curve itself is not known better.
-constexpr double kFlattenTolerance_px = 0.01;
+constexpr double kFlattenTolerancePx = 0.01;
 
 int canvas_side(double side_px) {
-  return static_cast<int>(std::clamp(std::ceil(side_px), 0.0, kLargestSide_px));
+  return static_cast<int>(std::clamp(std::ceil(side_px), 0.0, kLargestSidePx));
 }
 
 /// For each row of pixel centres, where the contour crosses it.
@@ -49,7 +49,7 @@ Mask draw_mask(Drawing const& drawing) {
   for (auto const& layer : drawing.layers) {
     std::vector<std::vector<double>> rows(static_cast<std::size_t>(mask.height));
     for (auto const& outline : layer.outlines) {
-      add_crossings(flatten(outline, kFlattenTolerance_px), rows);
+      add_crossings(flatten(outline, kFlattenTolerancePx), rows);
     }
     for (int y = 0; y < mask.height; ++y) fill_row(rows[static_cast<std::size_t>(y)], y, mask);
   }

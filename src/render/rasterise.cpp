@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "image/to_byte.h"
 #include "render/dash.h"
 #include "render/fill_coverage.h"
 #include "render/stroke_coverage.h"
@@ -12,11 +13,9 @@
 namespace inkflate {
 namespace {
 
-constexpr int kLargestSide_px = 16384;
+constexpr int kLargestSidePx = 16384;
 /// Fills go through bands of rows, so that the coverage of a large picture needs little memory.
 constexpr int kBandRows = 64;
-
-std::uint8_t to_byte(double value) { return static_cast<std::uint8_t>(value + 0.5); }
 
 /// Source over destination with straight alpha; share in [0, 1].
 void blend(Colour& below, Colour colour, double share) {
@@ -106,7 +105,7 @@ class Rasteriser {
 }  // namespace
 
 Picture rasterise(DrawList const& list, int width, int height, Colour background) {
-  CHECK(width >= 0 && height >= 0 && width <= kLargestSide_px && height <= kLargestSide_px,
+  CHECK(width >= 0 && height >= 0 && width <= kLargestSidePx && height <= kLargestSidePx,
         "picture side out of range");
   Rasteriser rasteriser(width, height, background);
   for (auto const& item : list) std::visit(rasteriser, item);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/hash.h"
 #include "geometry/polyline.h"
 #include "render/rasterise.h"
 #include "support/paper.h"
@@ -102,7 +103,7 @@ TEST(TraceScan, StrokesLieOnTheLinesOfAPhotographedDrawing) {
   for (auto const& stroke : sketch.strokes) {
     EXPECT_NEAR(stroke.width_px, 4, 1);
     EXPECT_EQ(stroke.kind, StrokeKind::Ink);
-    EXPECT_NEAR(stroke.colour.r, 255 * kInk.r / kPaper.r, 25);
+    EXPECT_NEAR(stroke.colour.r, 255.0 * kInk.r / kPaper.r, 25);
   }
 }
 
@@ -215,6 +216,21 @@ TEST(TraceScan, AnEmptyPageIsRefused) {
     ASSERT_FALSE(sketch.has_value());
     EXPECT_EQ(sketch.error().code, ErrorCode::NothingThere);
   }
+}
+
+TEST(TraceScan, BitsAreTheSameOnEveryMachine) {
+  auto const picture = rasterise(
+      {line({{30, 150}, {150, 60}, {270, 170}}, 5), line({{20, 90}, {280, 110}}, 3, kBlue)}, 300,
+      200, kPaper);
+  Hash hash;
+  for (auto const& stroke : traced(test::photographed(picture, 6, 4)).strokes) {
+    hash.add(stroke.width_px);
+    for (auto const& sample : stroke.samples) {
+      hash.add(sample.position.x);
+      hash.add(sample.position.y);
+    }
+  }
+  EXPECT_EQ(hash.value(), 6706081257494209361U);
 }
 
 TEST(TraceScan, DustIsNoInk) {

@@ -15,6 +15,7 @@ inline std::vector<std::byte> data_file(std::string const& name) {
   std::vector<char> const chars((std::istreambuf_iterator<char>(file)),
                                 std::istreambuf_iterator<char>());
   std::vector<std::byte> bytes;
+  bytes.reserve(chars.size());
   for (char const sign : chars) bytes.push_back(static_cast<std::byte>(sign));
   return bytes;
 }
