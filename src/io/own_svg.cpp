@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "io/numbers.h"
-#include "io/path_tracer.h"
+#include "io/sketch_limits.h"
 #include "io/svg_colour.h"
 #include "io/svg_style.h"
 #include "io/xml_text.h"
@@ -16,7 +16,6 @@
 namespace inkflate {
 namespace {
 
-constexpr int kSampleLimit = 5'000'000;
 constexpr int kShortestPiece = 11;  // bytes of six numbers in a path
 
 // The functions below return false where the text is damaged.

@@ -6,10 +6,9 @@
 #include "geometry/affine.h"
 #include "geometry/cubic.h"
 #include "geometry/polyline.h"
+#include "io/sketch_limits.h"
 
 namespace inkflate {
-
-inline constexpr double kCoordinateLimit = 1e6;  // px on the canvas
 
 /// Why a trace was given up; what was drawn until then is dropped.
 enum class TraceFault { None, OutOfRange, TooManyPoints };

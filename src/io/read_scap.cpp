@@ -10,13 +10,10 @@
 
 #include "geometry/rect.h"
 #include "io/numbers.h"
+#include "io/sketch_limits.h"
 
 namespace inkflate {
 namespace {
-
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
-constexpr int kSampleLimit = 5'000'000;
-constexpr double kCoordinateLimit = 1e6;
 
 class ScapReader {
  public:
@@ -134,7 +131,8 @@ class ScapReader {
 }  // namespace
 
 Result<Sketch> read_scap(std::span<std::byte const> bytes) {
-  if (bytes.size() > kMaxBytes) return Error{ErrorCode::TooLarge, "the file has more than 64 MB"};
+  if (std::ssize(bytes) > kMaxFileBytes)
+    return Error{ErrorCode::TooLarge, "the file has more than 64 MB"};
   std::string_view text(reinterpret_cast<char const*>(bytes.data()), bytes.size());
   auto const mark = text.substr(0, 2);
   if (mark == "\xff\xfe" || mark == "\xfe\xff") {

@@ -107,7 +107,8 @@ SvgWalk::Context SvgWalk::enter_root() {
   for (int i = 1; i < tree_.nodes[0].end; i = tree_.nodes[static_cast<std::size_t>(i)].end) {
     auto const child = tree_.element(i);
     bool const is_named = child.find("id") || child.find(kLabel) || child[kLayerMode] == "layer";
-    if (child.name() == "g" && is_named) only_named_groups_ = true;
+    bool const is_help = starts_with_help(child.find(kLabel).value_or(child["id"]));
+    if (child.name() == "g" && is_named && !is_help) only_named_groups_ = true;
   }
   return context;
 }

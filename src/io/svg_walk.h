@@ -10,6 +10,7 @@
 #include "geometry/affine.h"
 #include "io/path_tracer.h"
 #include "io/read_svg.h"
+#include "io/sketch_limits.h"
 #include "io/svg_tree.h"
 
 namespace inkflate {
@@ -17,7 +18,7 @@ namespace inkflate {
 /// How much one file may make us do, beyond what XmlLimits bounds.
 struct SvgLimits {
   int points_per_element = 1'000'000;
-  int samples = 5'000'000;
+  int samples = kSampleLimit;
   int strokes = 1'000'000;
   int use_expansions = 500'000;
   int use_depth = 64;

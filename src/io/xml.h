@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "base/result.h"
+#include "io/sketch_limits.h"
 
 namespace inkflate {
 
 /// Just the XML that SVG needs, read without recursion and without copying.
 
 struct XmlLimits {
-  std::int64_t max_bytes = std::int64_t{64} << 20U;
+  std::int64_t max_bytes = kMaxFileBytes;
   int max_elements = 1'000'000;
   int max_depth = 1024;
   int max_attributes = 65'535;  // of one element

@@ -29,8 +29,13 @@ TEST(Format, IsToldByContent) {
 }
 
 TEST(Format, HasANameForMessages) {
-  EXPECT_STREQ(file_format_name(FileFormat::Svg), "SVG");
-  EXPECT_STREQ(file_format_name(FileFormat::Unknown), "unknown");
+  using enum FileFormat;
+  std::string names;
+  for (auto const format : {Svg, Scap, Png, Jpeg, Zip, Unknown}) {
+    names += file_format_name(format);
+    names += ' ';
+  }
+  EXPECT_EQ(names, "SVG .scap PNG JPEG zip unknown ");
 }
 
 }  // namespace

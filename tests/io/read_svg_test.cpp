@@ -252,6 +252,7 @@ TEST(ReadSvg, TopLevelGroupsAreCandidateLayers) {
                       "</g><g id='b' inkscape:label='B &amp; c'>" + kLine + "</g>"),
             "a;B & c; 0 -1 1");
   EXPECT_EQ(groups_of("<g inkscape:groupmode='layer'>" + kLine + "</g>"), "group 1; 0");
+  EXPECT_EQ(groups_of("<g>" + kLine + "</g><g id='help'>" + kLine + "</g>"), "group 1; 0 -1");
   EXPECT_EQ(groups_of("<g id='a'>" + kLine + "</g><g id='helplines'>" + kLine + "</g>"), "a; 0 -1");
 }
 
