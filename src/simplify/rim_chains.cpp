@@ -23,6 +23,10 @@ constexpr double kShortCosine = 0.80;
 constexpr double kJump_px = 16;
 constexpr double kAlone_px = 28;
 
+// The outline goes on when it turns by less than 45 degrees in all; the way aside is more than 37 degrees off: cos.
+constexpr double kGoesOn = 0.7;
+constexpr double kAside = 0.8;
+
 struct KindRun {
   int first;
   int size;
@@ -43,17 +47,6 @@ std::vector<KindRun> kind_runs(std::vector<RunKind> const& kinds, Contour const&
     runs.back().length_px += distance(positions[i], positions[(i + 1) % count]);
   }
   return runs;
-}
-
-/// Whether a short run stands for nothing, and for which kind it gives way.
-RunKind effective_kind(std::vector<KindRun> const& runs, int r) {
-  int const count = static_cast<int>(std::ssize(runs));
-  auto const& run = runs[r];
-  if (count == 1 || run.length_px >= kLeastRun_px) return run.kind;
-  auto const before = runs[(r + count - 1) % count].kind;
-  auto const after = runs[(r + 1) % count].kind;
-  if (before == after) return before;
-  return run.kind == RunKind::Closing ? RunKind::Ink : run.kind;
 }
 
 /// Walks along a closed polyline by arc length.
@@ -94,15 +87,41 @@ double turn_cosine(ArcWalk const& walk, Contour const& positions, int i, double 
   return size > 0 ? dot(in, out) / size : 1;
 }
 
+/// Whether a gap leads aside, from the end of one overdrawn stroke to the next one beside it, and the outline goes on as before.
+bool is_sidestep(KindRun const& gap, ArcWalk const& walk, Contour const& positions) {
+  if (gap.length_px >= kJump_px) return false;
+  int const count = static_cast<int>(std::ssize(positions));
+  auto const from = positions[gap.first];
+  auto const to = positions[(gap.first + gap.size) % count];
+  auto const before = normalized(from - walk.point(walk.at(gap.first) - kChord_px));
+  auto const after =
+      normalized(walk.point(walk.at((gap.first + gap.size) % count) + kChord_px) - to);
+  return dot(before, after) > kGoesOn && dot(normalized(to - from), before + after) < 2 * kAside;
+}
+
+/// Whether a short run stands for nothing, and for which kind it gives way.
+RunKind effective_kind(std::vector<KindRun> const& runs, int r, ArcWalk const& walk,
+                       Contour const& positions) {
+  int const count = static_cast<int>(std::ssize(runs));
+  auto const& run = runs[r];
+  if (count == 1) return run.kind;
+  if (run.kind == RunKind::Closing && is_sidestep(run, walk, positions)) return RunKind::Ink;
+  if (run.length_px >= kLeastRun_px) return run.kind;
+  auto const before = runs[(r + count - 1) % count].kind;
+  auto const after = runs[(r + 1) % count].kind;
+  if (before == after) return before;
+  return run.kind == RunKind::Closing ? RunKind::Ink : run.kind;
+}
+
 /// Runs too short to mean anything take the kind of what is around them.
-void settle(std::vector<RunKind>& kinds, Contour const& positions) {
+void settle(std::vector<RunKind>& kinds, ArcWalk const& walk, Contour const& positions) {
   int const count = static_cast<int>(std::ssize(kinds));
   // First gaps within the pencil's width, for the two sides of such a gap may be short as well.
   for (auto const shortest_first : {RunKind::Closing, RunKind::HelpLine, RunKind::Ink}) {
     auto const runs = kind_runs(kinds, positions);
     for (int r = 0; r < std::ssize(runs); ++r) {
       if (runs[r].kind != shortest_first) continue;
-      auto const kind = effective_kind(runs, r);
+      auto const kind = effective_kind(runs, r, walk, positions);
       for (int k = 0; k < runs[r].size; ++k) kinds[(runs[r].first + k) % count] = kind;
     }
   }
@@ -177,7 +196,7 @@ std::vector<RimChain> cut_rim(Rim const& rim, Contour const& positions) {
   for (auto const& point : rim) kinds.push_back(point.to_next);
   ArcWalk const walk(positions);
   auto const corners = without_jumps(find_corners(walk, positions), walk, positions, kinds);
-  settle(kinds, positions);
+  settle(kinds, walk, positions);
   std::vector<std::uint8_t> is_corner(rim.size(), 0);
   for (int const corner : corners) is_corner[corner] = 1;
   auto const is_break = [&](int i) {
