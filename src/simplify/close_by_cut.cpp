@@ -13,7 +13,7 @@ namespace inkflate {
 namespace {
 
 // Distance of samples, frame px. Half of it changes no result that a person sees, twice of it opens small gaps.
-constexpr double kSpacing_px = 2.2;
+constexpr double kSpacing_px = 2.5;
 
 // What is nowhere wider is a line, not a shape, frame px: about three times the width of a pencil line.
 constexpr double kWhisker_px = 7;
