@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // stage_times [RUNS [FILE.svg ...]]: the median milliseconds of each stage of simplify, and of the whole, over a number
-// of runs (15). Without files on three generated drawings. A line is: drawing, stage, milliseconds.
+// of runs (15), and the whole of the first run, when nothing is warm. Without files on three generated drawings. A line is: drawing, stage, milliseconds.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -59,6 +59,7 @@ bool measure(std::string const& name, Sketch const& sketch, int run_count) {
     }
     add(runs, next, "total", total_ms);
   }
+  std::printf("%s first %.3f\n", name.c_str(), runs.ms.back().front());
   for (std::size_t i = 0; i < runs.stages.size(); ++i)
     std::printf("%s %s %.3f\n", name.c_str(), runs.stages[i].c_str(), median(runs.ms[i]));
   return true;
