@@ -38,7 +38,7 @@ void print_warning(std::string_view file, std::string_view message) {
 Json error_json(Error const& error) { return Json::parse(json_error(error)); }
 
 std::string to_text(Json const& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace inkflate::cli

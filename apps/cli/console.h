@@ -21,7 +21,7 @@ void print_warning(std::string_view file, std::string_view message);
 /// {"error": {"code", "message", "where"}}, to be joined with more.
 Json error_json(Error const& error);
 
-/// The object as text with a final newline; bytes that are no UTF-8 become U+FFFD.
+/// The object on one line; bytes that are no UTF-8 become U+FFFD.
 std::string to_text(Json const& json);
 
 }  // namespace inkflate::cli

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "io/sketch_limits.h"
 
 namespace inkflate::cli {
 
@@ -19,7 +20,6 @@ inline constexpr std::string_view kStandardStream = "-";
 ///
 /// errors  FileSystem; TooLarge (more than kMaxFileBytes; noticed before memory is taken)
 Result<std::vector<std::byte>> read_file(std::string const& path);
-inline constexpr long long kMaxFileBytes = 64LL << 20U;  // docs/LIMITS.md
 
 /// Puts a file in place as a whole: a new file beside it is written, brought to the disk and renamed, so that at
 /// every moment there is the old file or the new one. A link at that name is replaced, not followed, except that

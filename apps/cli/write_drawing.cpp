@@ -24,8 +24,8 @@ std::optional<Error> check_picture_size(Sketch const& canvas) {
   if (!(width_px >= 1 && height_px >= 1)) {
     return Error{ErrorCode::NothingThere, "the canvas has no size; try --size 1024 --fit"};
   }
-  constexpr double kSidePx = PictureLimits::kSidePx;
-  if (std::max(width_px, height_px) <= kSidePx && width_px * height_px <= PictureLimits::kPixels) {
+  if (std::max(width_px, height_px) <= PictureLimits::kSidePx &&
+      width_px * height_px <= PictureLimits::kPixels) {
     return std::nullopt;
   }
   return Error{ErrorCode::TooLarge,

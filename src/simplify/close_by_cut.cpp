@@ -8,7 +8,6 @@
 #include "simplify/close_strokes.h"
 #include "simplify/fit_rims.h"
 #include "simplify/prune_whiskers.h"
-#include "simplify/sort_strokes.h"
 
 namespace inkflate {
 namespace {
@@ -97,9 +96,9 @@ std::vector<Part> choose_parts(std::vector<Rim> const& rims, StrokeSamples const
 
 }  // namespace
 
-Result<ClosedStrokes> close_by_cut(Sketch const& sketch, std::span<int const> chosen,
-                                   Frame const& frame, SimplifyOptions const& options,
-                                   Progress const& progress) {
+Result<std::vector<Layer>> close_by_cut(Sketch const& sketch, std::span<int const> chosen,
+                                        Frame const& frame, SimplifyOptions const& options,
+                                        Progress const& progress) {
   if (!progress.enter("sample")) return cancelled();
   auto sampled = sample_strokes(sketch, chosen, frame, kSpacing_px);
   if (!progress.enter("triangulate")) return cancelled();
@@ -135,16 +134,14 @@ Result<ClosedStrokes> close_by_cut(Sketch const& sketch, std::span<int const> ch
 
   if (!progress.enter("fit")) return cancelled();
   auto outlines = fit_rims(rims, centred, samples, frame, options.smooth);
-  ClosedStrokes result;
+  std::vector<Layer> layers;
   for (std::size_t next = 0; auto const& part : parts) {
     Layer layer;
     for (std::size_t k = 0; k <= part.holes.size(); ++k)
       layer.outlines.push_back(std::move(outlines[next++]));
-    result.layers.push_back(std::move(layer));
+    layers.push_back(std::move(layer));
   }
-  if (!progress.enter("sort")) return cancelled();
-  result.stray = sort_strokes(samples, frame, result.layers);
-  return result;
+  return layers;
 }
 
 }  // namespace inkflate

@@ -18,6 +18,15 @@ constexpr double kCornerCosine = 0.64;
 constexpr double kShortChord_px = 7;
 constexpr double kShortCosine = 0.80;
 
+// A jump from one of several overdrawn strokes to the next, frame px: no longer than this along the rim, and no other corner nearer
+// than that, or it is a feature of the drawing: a tooth, a step.
+constexpr double kJump_px = 16;
+constexpr double kAlone_px = 28;
+
+// The outline goes on when it turns by less than 45 degrees in all; the way aside is more than 37 degrees off: cos.
+constexpr double kGoesOn = 0.7;
+constexpr double kAside = 0.8;
+
 struct KindRun {
   int first;
   int size;
@@ -38,34 +47,6 @@ std::vector<KindRun> kind_runs(std::vector<RunKind> const& kinds, Contour const&
     runs.back().length_px += distance(positions[i], positions[(i + 1) % count]);
   }
   return runs;
-}
-
-/// Whether a short run stands for nothing, and for which kind it gives way.
-RunKind effective_kind(std::vector<KindRun> const& runs, int r) {
-  int const count = static_cast<int>(std::ssize(runs));
-  auto const& run = runs[r];
-  if (count == 1 || run.length_px >= kLeastRun_px) return run.kind;
-  auto const before = runs[(r + count - 1) % count].kind;
-  auto const after = runs[(r + 1) % count].kind;
-  if (before == after) return before;
-  return run.kind == RunKind::Closing ? RunKind::Ink : run.kind;
-}
-
-std::vector<RunKind> settled_kinds(Rim const& rim, Contour const& positions) {
-  std::vector<RunKind> kinds;
-  kinds.reserve(rim.size());
-  for (auto const& point : rim) kinds.push_back(point.to_next);
-  int const count = static_cast<int>(std::ssize(kinds));
-  // First gaps within the pencil's width, for the two sides of such a gap may be short as well.
-  for (auto const shortest_first : {RunKind::Closing, RunKind::HelpLine, RunKind::Ink}) {
-    auto const runs = kind_runs(kinds, positions);
-    for (int r = 0; r < std::ssize(runs); ++r) {
-      if (runs[r].kind != shortest_first) continue;
-      auto const kind = effective_kind(runs, r);
-      for (int k = 0; k < runs[r].size; ++k) kinds[(runs[r].first + k) % count] = kind;
-    }
-  }
-  return kinds;
 }
 
 /// Walks along a closed polyline by arc length.
@@ -106,15 +87,54 @@ double turn_cosine(ArcWalk const& walk, Contour const& positions, int i, double 
   return size > 0 ? dot(in, out) / size : 1;
 }
 
-/// The sharpest place of every stretch of the rim that turns like a corner.
-std::vector<std::uint8_t> find_corners(Contour const& positions) {
+/// Whether a gap leads aside, from the end of one overdrawn stroke to the next one beside it, and the outline goes on as before.
+bool is_sidestep(KindRun const& gap, ArcWalk const& walk, Contour const& positions) {
+  if (gap.length_px >= kJump_px) return false;
   int const count = static_cast<int>(std::ssize(positions));
-  ArcWalk const walk(positions);
+  auto const from = positions[gap.first];
+  auto const to = positions[(gap.first + gap.size) % count];
+  auto const before = normalized(from - walk.point(walk.at(gap.first) - kChord_px));
+  auto const after =
+      normalized(walk.point(walk.at((gap.first + gap.size) % count) + kChord_px) - to);
+  return dot(before, after) > kGoesOn && dot(normalized(to - from), before + after) < 2 * kAside;
+}
+
+/// Whether a short run stands for nothing, and for which kind it gives way.
+RunKind effective_kind(std::vector<KindRun> const& runs, int r, ArcWalk const& walk,
+                       Contour const& positions) {
+  int const count = static_cast<int>(std::ssize(runs));
+  auto const& run = runs[r];
+  if (count == 1) return run.kind;
+  if (run.kind == RunKind::Closing && is_sidestep(run, walk, positions)) return RunKind::Ink;
+  if (run.length_px >= kLeastRun_px) return run.kind;
+  auto const before = runs[(r + count - 1) % count].kind;
+  auto const after = runs[(r + 1) % count].kind;
+  if (before == after) return before;
+  return run.kind == RunKind::Closing ? RunKind::Ink : run.kind;
+}
+
+/// Runs too short to mean anything take the kind of what is around them.
+void settle(std::vector<RunKind>& kinds, ArcWalk const& walk, Contour const& positions) {
+  int const count = static_cast<int>(std::ssize(kinds));
+  // First gaps within the pencil's width, for the two sides of such a gap may be short as well.
+  for (auto const shortest_first : {RunKind::Closing, RunKind::HelpLine, RunKind::Ink}) {
+    auto const runs = kind_runs(kinds, positions);
+    for (int r = 0; r < std::ssize(runs); ++r) {
+      if (runs[r].kind != shortest_first) continue;
+      auto const kind = effective_kind(runs, r, walk, positions);
+      for (int k = 0; k < runs[r].size; ++k) kinds[(runs[r].first + k) % count] = kind;
+    }
+  }
+}
+
+/// The sharpest place of every stretch of the rim that turns like a corner, in rim order.
+std::vector<int> find_corners(ArcWalk const& walk, Contour const& positions) {
+  int const count = static_cast<int>(std::ssize(positions));
   std::vector<double> cosines(positions.size(), 1);
   if (walk.total() > 4 * kChord_px) {
     for (int i = 0; i < count; ++i) cosines[i] = turn_cosine(walk, positions, i, kChord_px);
   }
-  std::vector<std::uint8_t> is_corner(positions.size(), 0);
+  std::vector<int> corners;
   for (int i = 0; i < count; ++i) {
     if (cosines[i] > kCornerCosine) continue;
     bool is_sharpest = true;
@@ -128,18 +148,57 @@ std::vector<std::uint8_t> find_corners(Contour const& positions) {
         is_sharpest = cosines[i] < cosines[k] || (cosines[i] == cosines[k] && i < k);
       }
     }
-    if (is_sharpest && turn_cosine(walk, positions, i, kShortChord_px) < kShortCosine)
-      is_corner[i] = 1;
+    if (is_sharpest && turn_cosine(walk, positions, i, kShortChord_px) < kShortCosine) {
+      corners.push_back(i);
+    }
   }
-  return is_corner;
+  return corners;
+}
+
+/// Takes out the corners of jumps: two that turn opposite ways, close together and alone. What lies between them is ink.
+std::vector<int> without_jumps(std::vector<int> const& corners, ArcWalk const& walk,
+                               Contour const& positions, std::vector<RunKind>& kinds) {
+  int const count = static_cast<int>(std::ssize(corners));
+  if (count < 2) return corners;
+  auto const ahead_px = [&](int c) {
+    double const gap = walk.at(corners[(c + 1) % count]) - walk.at(corners[c % count]);
+    return gap >= 0 ? gap : gap + walk.total();
+  };
+  auto const turn = [&](int c) {
+    auto const at = positions[corners[c]];
+    return cross(at - walk.point(walk.at(corners[c]) - kChord_px),
+                 walk.point(walk.at(corners[c]) + kChord_px) - at);
+  };
+  std::vector<std::uint8_t> is_jump(corners.size(), 0);
+  for (int c = 0; c < count; ++c) {
+    int const next = (c + 1) % count;
+    bool const is_alone =
+        count == 2 || (ahead_px((c + count - 1) % count) > kAlone_px && ahead_px(next) > kAlone_px);
+    if (ahead_px(c) > kJump_px || !is_alone || turn(c) * turn(next) >= 0) continue;
+    is_jump[c] = 1;
+    is_jump[next] = 1;
+    int const rim_count = static_cast<int>(std::ssize(kinds));
+    for (int i = corners[c]; i != corners[next]; i = (i + 1) % rim_count) kinds[i] = RunKind::Ink;
+  }
+  std::vector<int> kept;
+  for (int c = 0; c < count; ++c) {
+    if (is_jump[c] == 0) kept.push_back(corners[c]);
+  }
+  return kept;
 }
 
 }  // namespace
 
 std::vector<RimChain> cut_rim(Rim const& rim, Contour const& positions) {
   int const count = static_cast<int>(std::ssize(rim));
-  auto const kinds = settled_kinds(rim, positions);
-  auto const is_corner = find_corners(positions);
+  std::vector<RunKind> kinds;
+  kinds.reserve(rim.size());
+  for (auto const& point : rim) kinds.push_back(point.to_next);
+  ArcWalk const walk(positions);
+  auto const corners = without_jumps(find_corners(walk, positions), walk, positions, kinds);
+  settle(kinds, walk, positions);
+  std::vector<std::uint8_t> is_corner(rim.size(), 0);
+  for (int const corner : corners) is_corner[corner] = 1;
   auto const is_break = [&](int i) {
     return is_corner[i] != 0 || kinds[i] != kinds[(i + count - 1) % count];
   };

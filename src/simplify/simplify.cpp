@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simplify/simplify.h"
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 #include <string>
 
 #include "simplify/close_strokes.h"
+#include "simplify/faint_strokes.h"
+#include "simplify/sort_strokes.h"
 
 namespace inkflate {
 namespace {
 
 constexpr double kLargestCoordinate_px = 1e6;
+
+// Distance of the samples by which strokes are given to layers, frame px.
+constexpr double kSortSpacing_px = 4;
 
 std::optional<Error> check(SimplifyOptions const& options) {
   if (options.gap_px && !(*options.gap_px > 0 && std::isfinite(*options.gap_px))) {
@@ -54,24 +60,33 @@ Frame frame_of(Sketch const& sketch) {
   return Frame::around(box);
 }
 
-/// The strokes of each group, the ungrouped ones last.
-std::vector<std::vector<int>> strokes_by_group(Sketch const& sketch, Parts parts) {
-  if (parts != Parts::Groups) {
-    std::vector<int> all(sketch.strokes.size());
-    std::iota(all.begin(), all.end(), 0);
-    return {all};
-  }
-  std::vector<std::vector<int>> groups(sketch.groups.size() + 1);
+/// The strokes that are closed together.
+struct Group {
+  std::string name;  // empty: of strokes without a group
+  std::vector<int> strokes;
+};
+
+std::vector<Group> groups_of(Sketch const& sketch, Parts parts) {
+  std::vector<Group> groups(parts == Parts::Groups ? sketch.groups.size() + 1 : 1);
+  for (std::size_t g = 0; g + 1 < groups.size(); ++g) groups[g].name = sketch.groups[g];
   for (int i = 0; i < std::ssize(sketch.strokes); ++i) {
     int const group = sketch.strokes[i].group;
-    groups[group < 0 ? sketch.groups.size() : static_cast<std::size_t>(group)].push_back(i);
+    bool const is_grouped = parts == Parts::Groups && group >= 0;
+    (is_grouped ? groups[group] : groups.back()).strokes.push_back(i);
   }
   return groups;
 }
 
-std::string layer_name(Sketch const& sketch, Parts parts, std::size_t group, std::size_t layer) {
-  if (parts == Parts::Groups && group < sketch.groups.size()) return sketch.groups[group];
-  return "part " + std::to_string(layer + 1);
+Result<std::vector<Layer>> close(Sketch const& sketch, std::span<int const> chosen,
+                                 Frame const& frame, SimplifyOptions const& options,
+                                 Progress const& progress) {
+  if (options.method == SimplifyMethod::Grid)
+    return close_by_grid(sketch, chosen, options, progress);
+  auto const is_faint = faint_strokes(sketch);
+  std::vector<int> strong;
+  std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(strong),
+               [&](int s) { return !is_faint[s]; });
+  return close_by_cut(sketch, strong, frame, options, progress);
 }
 
 }  // namespace
@@ -80,18 +95,20 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
                          Progress const& progress) {
   if (auto const error = check(options)) return *error;
   if (auto const error = check(sketch)) return *error;
-  auto const close = options.method == SimplifyMethod::Cut ? close_by_cut : close_by_grid;
   auto const frame = frame_of(sketch);
   Drawing drawing = {sketch, {}, {}};
-  auto const groups = strokes_by_group(sketch, options.parts);
-  for (std::size_t group = 0; group < groups.size(); ++group) {
-    auto closed = close(sketch, groups[group], frame, options, progress);
-    if (!closed) return closed.error();
-    for (auto& layer : closed->layers) {
-      layer.name = layer_name(sketch, options.parts, group, drawing.layers.size());
+  for (auto const& group : groups_of(sketch, options.parts)) {
+    auto layers = close(sketch, group.strokes, frame, options, progress);
+    if (!layers) return layers.error();
+    if (!progress.enter("sort")) return Error{ErrorCode::Cancelled, "stopped on request"};
+    auto const samples = sample_strokes(sketch, group.strokes, frame, kSortSpacing_px);
+    auto const stray = sort_strokes(samples, frame, *layers);
+    drawing.stray.insert(drawing.stray.end(), stray.begin(), stray.end());
+    for (auto& layer : *layers) {
+      layer.name =
+          group.name.empty() ? "part " + std::to_string(drawing.layers.size() + 1) : group.name;
       drawing.layers.push_back(std::move(layer));
     }
-    drawing.stray.insert(drawing.stray.end(), closed->stray.begin(), closed->stray.end());
   }
   if (drawing.layers.empty()) {
     return Error{ErrorCode::NothingThere,

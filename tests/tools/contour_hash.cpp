@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// contour_hash FILE...: prints, for each file, a hash of the exact bits of every contour that simplify makes of it.
+// contour_hash FILE...: prints, for each file, a hash of the exact bits of its strokes and of every contour that
+// simplify makes of them.
 // Equal lines from every compiler and from WebAssembly show that the result depends on the file alone.
 #include <cstdio>
 #include <filesystem>
@@ -15,20 +16,31 @@ namespace {
 
 using namespace inkflate;
 
+void add_count(Hash& hash, std::ptrdiff_t count) { hash.add(static_cast<std::int64_t>(count)); }
+
+void add_point(Hash& hash, Vec2 point) {
+  hash.add(point.x);
+  hash.add(point.y);
+}
+
+void add_outline(Hash& hash, Outline const& outline) {
+  add_count(hash, std::ssize(outline.pieces));
+  for (auto const& piece : outline.pieces) {
+    hash.add(static_cast<std::int64_t>(piece.kind));
+    for (auto const point : piece.curve.control) add_point(hash, point);
+  }
+}
+
 std::uint64_t hash_of(Drawing const& drawing) {
   Hash hash;
+  for (auto const& stroke : drawing.sketch.strokes) {
+    add_count(hash, std::ssize(stroke.samples));
+    for (auto const& sample : stroke.samples) add_point(hash, sample.position);
+  }
+  add_count(hash, std::ssize(drawing.layers));
   for (auto const& layer : drawing.layers) {
-    hash.add(std::ssize(layer.outlines));
-    for (auto const& outline : layer.outlines) {
-      hash.add(std::ssize(outline.pieces));
-      for (auto const& piece : outline.pieces) {
-        hash.add(static_cast<std::int64_t>(piece.kind));
-        for (auto const point : piece.curve.control) {
-          hash.add(point.x);
-          hash.add(point.y);
-        }
-      }
-    }
+    add_count(hash, std::ssize(layer.outlines));
+    for (auto const& outline : layer.outlines) add_outline(hash, outline);
   }
   return hash.value();
 }

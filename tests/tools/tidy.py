@@ -61,7 +61,7 @@ def check(job):
     if done.returncode == 0:
         (STAMPS / key).touch()
         return True
-    print(f"{source.relative_to(TOP)}:\n{done.stdout}{done.stderr}", flush=True)
+    print(f"{source.relative_to(TOP)}:\n{done.stdout or done.stderr}", flush=True)
     return False
 
 
