@@ -116,7 +116,7 @@ std::vector<Crossing> find_crossings(std::span<Contour const> contours, int most
     int const count = static_cast<int>(std::ssize(points));
     for (int i = 0; i < count; ++i)
       edges.push_back({points[i], points[(i + 1) % count], c, i, count});
-    if (count < 3) found.push_back({c, 0, c, 0});
+    if (count < 3 && std::ssize(found) < most) found.push_back({c, 0, c, 0});
   }
   if (edges.empty()) return found;
   EdgeGrid const grid(edges);

@@ -9,7 +9,7 @@ namespace inkflate {
 namespace {
 
 // Outlines are tested for crossings as polygons this close to the curves, frame px.
-constexpr double kTestTolerance_px = 0.05;
+constexpr double kTestTolerance_px = 0.01;
 
 // Each way of drawing an outline is safer than the one before; the last one is the rim itself, which crosses nothing.
 enum class Care { Full, StraightClosings, Tight, Raw };

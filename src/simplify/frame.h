@@ -44,6 +44,10 @@ struct Frame {
     return {static_cast<int>(std::floor(p.x * kLatticePerPx + 0.5)),
             static_cast<int>(std::floor(p.y * kLatticePerPx + 0.5))};
   }
+  /// Frame px; exact.
+  static Vec2 lattice_position(LatticePoint p) {
+    return Vec2{static_cast<double>(p.x), static_cast<double>(p.y)} / kLatticePerPx;
+  }
 };
 static_assert((Frame::kFrameSize_px + 2 * Frame::kMargin_px) * Frame::kLatticePerPx <=
               kLatticeSize);

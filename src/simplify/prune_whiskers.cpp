@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
+#include "geometry/crossings.h"
 #include "geometry/point_grid.h"
 
 namespace inkflate {
@@ -102,7 +104,7 @@ class WhiskerFinder {
 };
 
 /// The corners that stay when the stretches are cut off, longest first; a stretch that overlaps an earlier one is dropped.
-std::vector<std::uint8_t> kept_corners(std::vector<Stretch> stretches, int count) {
+std::vector<int> kept_corners(std::vector<Stretch> stretches, int count) {
   std::stable_sort(stretches.begin(), stretches.end(),
                    [](Stretch const& a, Stretch const& b) { return a.walk_px > b.walk_px; });
   std::vector<std::uint8_t> is_kept(static_cast<std::size_t>(count), 1);
@@ -110,7 +112,29 @@ std::vector<std::uint8_t> kept_corners(std::vector<Stretch> stretches, int count
     if (is_kept[stretch.from] == 0 || is_kept[stretch.to] == 0) continue;
     for (int i = (stretch.from + 1) % count; i != stretch.to; i = (i + 1) % count) is_kept[i] = 0;
   }
-  return is_kept;
+  std::vector<int> kept;
+  for (int i = 0; i < count; ++i) {
+    if (is_kept[i] != 0) kept.push_back(i);
+  }
+  return kept;
+}
+
+/// Whether the rim between a kept corner and the next one was cut off.
+bool is_cut(std::vector<int> const& kept, int k, int count) {
+  return kept[(k + 1) % std::ssize(kept)] != (kept[k] + 1) % count;
+}
+
+/// A corner where a cut starts that crosses other edges: a foot may be jagged.
+std::optional<int> crossing_cut(Contour const& points, std::vector<int> const& kept) {
+  Contour contour;
+  contour.reserve(kept.size());
+  for (int const i : kept) contour.push_back(points[i]);
+  for (auto const& crossing : find_crossings(std::span(&contour, 1), 1)) {
+    for (int const edge : {crossing.edge_a, crossing.edge_b}) {
+      if (is_cut(kept, edge, static_cast<int>(std::ssize(points)))) return kept[edge];
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -121,15 +145,19 @@ Rim prune_whiskers(Rim const& rim, StrokeSamples const& samples, double width_px
   // Nothing but whisker: all its sides are near each other.
   if (finder.thick_length() <= kMostThick * width_px) return {};
   int const count = static_cast<int>(std::ssize(rim));
-  auto const is_kept = kept_corners(finder.find(), count);
-  Rim result;
-  for (int i = 0; i < count; ++i) {
-    if (is_kept[i] == 0) continue;
-    auto point = rim[i];
-    if (is_kept[(i + 1) % count] == 0) point.to_next = RunKind::Ink;
-    result.push_back(point);
+  auto stretches = finder.find();
+  auto kept = kept_corners(stretches, count);
+  for (auto from = crossing_cut(points, kept); from; from = crossing_cut(points, kept)) {
+    std::erase_if(stretches, [&](Stretch const& stretch) { return stretch.from == *from; });
+    kept = kept_corners(stretches, count);
   }
-  return result.size() < 3 ? Rim{} : result;
+  if (kept.size() < 3) return {};
+  Rim result;
+  for (int k = 0; k < std::ssize(kept); ++k) {
+    result.push_back(rim[kept[k]]);
+    if (is_cut(kept, k, count)) result.back().to_next = RunKind::Ink;
+  }
+  return result;
 }
 
 }  // namespace inkflate

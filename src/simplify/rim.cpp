@@ -94,7 +94,8 @@ std::vector<Rim> trace_rims(Sketch const& sketch, Cells const& cells, CellLabels
 Contour positions(Rim const& rim, StrokeSamples const& samples) {
   Contour contour;
   contour.reserve(rim.size());
-  for (auto const& point : rim) contour.push_back(samples.points[point.sample].position);
+  for (auto const& point : rim)
+    contour.push_back(Frame::lattice_position(samples.lattice[point.sample]));
   return contour;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/sketches.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -102,24 +104,47 @@ void spoil(Rng& rng, Sketch& sketch) {
   }
 }
 
-std::string check_outline(Outline const& outline, bool is_hole) {
+std::string check_outline(Outline const& outline, bool is_hole, double sketch_size_px) {
   auto const& pieces = outline.pieces;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (!(pieces[i].curve.end() == pieces[(i + 1) % pieces.size()].curve.start()))
       return "an outline is open";
   }
-  for (double const tolerance_px : {0.1, 1.0}) {
-    auto const contour = flatten(outline, tolerance_px);
-    if (contour.size() < 3) return "an outline has fewer than three points";
-    if (tolerance_px < 1 && !is_simple(contour)) return "an outline crosses itself";
-    if ((signed_area(contour) < 0) != is_hole) return "an outline has the wrong orientation";
-  }
+  // A thousandth of a percent is as fine as outlines are promised to be simple.
+  auto const contour = flatten(outline, 1e-5 * sketch_size_px);
+  if (contour.size() < 3) return "an outline has fewer than three points";
+  if (!is_simple(contour)) return "an outline crosses itself";
+  if ((signed_area(contour) < 0) != is_hole) return "an outline has the wrong orientation";
   double last = 0;
   for (auto const& source : outline.sources) {
     if (source.from < last || source.to <= source.from) return "sources are out of order";
     last = source.to;
   }
   return last > static_cast<double>(pieces.size()) ? "a source ends beyond its outline" : "";
+}
+
+/// Outlines of a layer have nothing in common but single corners; holes lie inside.
+std::string check_together(Layer const& layer, double sketch_size_px) {
+  std::vector<Contour> contours;
+  for (auto const& outline : layer.outlines)
+    contours.push_back(flatten(outline, 1e-5 * sketch_size_px));
+  auto const ends = [&](int contour, int edge) {
+    auto const& points = contours[contour];
+    return std::array{points[edge], points[(edge + 1) % std::ssize(points)]};
+  };
+  for (auto const& crossing : find_crossings(contours, 10'000)) {
+    auto const a = ends(crossing.contour_a, crossing.edge_a);
+    auto const b = ends(crossing.contour_b, crossing.edge_b);
+    if (a[0] != b[0] && a[0] != b[1] && a[1] != b[0] && a[1] != b[1])
+      return "outlines cross each other";
+  }
+  for (std::size_t i = 1; i < contours.size(); ++i) {
+    // Corners that are shared with the outer outline may count either way.
+    auto const inside = std::count_if(contours[i].begin(), contours[i].end(),
+                                      [&](Vec2 p) { return contains(contours[0], p); });
+    if (2 * inside < std::ssize(contours[i])) return "a hole lies outside";
+  }
+  return "";
 }
 
 }  // namespace
@@ -135,13 +160,19 @@ Sketch random_sketch(std::uint64_t seed) {
 }
 
 std::string what_is_wrong(Drawing const& drawing) {
+  Rect box;
+  for (auto const& stroke : drawing.sketch.strokes) {
+    for (auto const& sample : stroke.samples) box.include(sample.position);
+  }
   std::vector<int> places(drawing.sketch.strokes.size(), 0);
   for (auto const& layer : drawing.layers) {
     if (layer.outlines.empty()) return "a layer has no outline";
     for (std::size_t i = 0; i < layer.outlines.size(); ++i) {
-      auto const wrong = check_outline(layer.outlines[i], i > 0);
+      auto const wrong = check_outline(layer.outlines[i], i > 0, box.longer_side());
       if (!wrong.empty()) return wrong;
     }
+    auto const wrong = check_together(layer, box.longer_side());
+    if (!wrong.empty()) return wrong;
     for (auto const* list : {&layer.strokes, &layer.details}) {
       for (int const stroke : *list) ++places[stroke];
     }
