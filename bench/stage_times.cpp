@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// stage_times [RUNS [FILE.svg ...]]: the median milliseconds of each stage of simplify, and of the whole, over a number
+// of runs (15), and the whole of the first run, when nothing is warm. Without files on three generated drawings. A line is: drawing, stage, milliseconds.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/read_svg.h"
+#include "pipeline/stage_clock.h"
+#include "rough_character.h"
+#include "simplify/simplify.h"
+
+namespace {
+
+using namespace inkflate;
+
+/// The times of every run, stage by stage; the last stage is the whole.
+struct StageRuns {
+  std::vector<std::string> stages;
+  std::vector<std::vector<double>> ms;
+};
+
+double median(std::vector<double> values) {
+  auto const middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void add(StageRuns& runs, std::size_t index, std::string const& stage, double ms) {
+  if (index == runs.stages.size()) {
+    runs.stages.push_back(stage);
+    runs.ms.emplace_back();
+  }
+  runs.ms[index].push_back(ms);
+}
+
+bool measure(std::string const& name, Sketch const& sketch, int run_count) {
+  StageRuns runs;
+  Progress const none;
+  for (int run = 0; run < run_count; ++run) {
+    StageClock clock;
+    auto const drawing = simplify(sketch, {}, clock.timed(none));
+    clock.stop();
+    if (!drawing) {
+      std::fprintf(stderr, "%s: %s\n", name.c_str(), drawing.error().message.c_str());
+      return false;
+    }
+    double total_ms = 0;
+    std::size_t next = 0;
+    for (auto const& time : clock.times()) {
+      total_ms += time.ms;
+      add(runs, next++, time.stage, time.ms);
+    }
+    add(runs, next, "total", total_ms);
+  }
+  std::printf("%s first %.3f\n", name.c_str(), runs.ms.back().front());
+  for (std::size_t i = 0; i < runs.stages.size(); ++i)
+    std::printf("%s %s %.3f\n", name.c_str(), runs.stages[i].c_str(), median(runs.ms[i]));
+  return true;
+}
+
+bool measure_file(char const* path, int run_count) {
+  std::ifstream stream(path, std::ios::binary);
+  std::vector<char> const content{std::istreambuf_iterator<char>(stream), {}};
+  auto const drawing = read_svg(std::as_bytes(std::span(content)));
+  if (!drawing) {
+    std::fprintf(stderr, "%s: %s\n", path, drawing.error().message.c_str());
+    return false;
+  }
+  return measure(std::filesystem::path(path).stem().string(), drawing->sketch, run_count);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  int const run_count = count > 1 ? std::atoi(arguments[1]) : 15;
+  if (run_count < 1) {
+    std::fprintf(stderr, "usage: stage_times [RUNS [FILE.svg ...]]\n");
+    return 2;
+  }
+  bool is_done = true;
+  for (int i = 2; i < count; ++i) is_done = measure_file(arguments[i], run_count) && is_done;
+  if (count <= 2) {
+    for (int const strokes : {50, 250, 1000})
+      is_done =
+          measure(std::to_string(strokes) + "-strokes", rough_character(strokes), run_count) &&
+          is_done;
+  }
+  return is_done ? 0 : 1;
+}
