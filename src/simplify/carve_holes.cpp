@@ -51,11 +51,9 @@ class Line {
 
   std::vector<Vec2> const& places() const { return places_; }
   bool is_near(Vec2 p, double distance_px = kBand_px) const {
-    bool found = false;
-    grid_.near(p, distance_px, [&](int i) {
-      found = found || squared_norm(places_[i] - p) <= distance_px * distance_px;
+    return grid_.any_near(p, distance_px, [&](int i) {
+      return squared_norm(places_[i] - p) <= distance_px * distance_px;
     });
-    return found;
   }
 
  private:
