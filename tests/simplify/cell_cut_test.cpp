@@ -98,9 +98,9 @@ TEST(LabelCells, AGapClosesWhenSeventeenTimesItIsLessThanThreeTimesTheInk) {
 }
 
 TEST(LabelCells, NoClosingIsLongerThanTheGap) {
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    auto const cells = cells_of(random_sketch(seed), 5);
-    for (double const gap_px : {8.0, 60.0}) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    auto const cells = cells_of(random_sketch(seed), 9);
+    for (double const gap_px : {14.0, 60.0}) {
       CutOptions options;
       options.gap_px = gap_px;
       auto const labels = label_cells(cells, options);

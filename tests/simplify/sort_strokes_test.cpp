@@ -98,9 +98,15 @@ TEST(SortStrokes, WithoutLayersAllIsStray) {
 TEST(SortStrokes, EveryStrokeIsInOnePlaceInDrawingOrder) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     auto const sketch = random_sketch(seed);
+    auto const frame = frame_of(sketch);
     std::vector<Layer> layers = {square(100, 100, 300), square(390, 200, 500),
                                  square(450, 300, 100)};
-    auto const stray = sort_strokes(samples_of(sketch), frame_of(sketch), layers);
+    for (auto& layer : layers) {
+      for (auto& piece : layer.outlines[0].pieces) {
+        for (auto& control : piece.curve.control) control = frame.canvas_point(control);
+      }
+    }
+    auto const stray = sort_strokes(samples_of(sketch), frame, layers);
     std::vector<Strokes const*> lists = {&stray};
     for (auto const& layer : layers) {
       lists.push_back(&layer.strokes);
