@@ -206,11 +206,6 @@ std::optional<Cubic> flowing_closing(Polyline const& before, Polyline const& gap
   return Cubic{{from, from + leaving * handle, to - arriving * handle, to}};
 }
 
-bool is_closed(std::vector<ChainPoints> const& chains) {
-  return chains.size() == 1 && chains[0].points.size() > 2 &&
-         chains[0].points.front() == chains[0].points.back();
-}
-
 /// Smooths a chain and gives the tangents at its ends.
 std::vector<FittedCubic> fit_ink(ChainPoints& chain, bool closed, FitOptions const& options) {
   auto& points = chain.points;
@@ -241,10 +236,11 @@ std::vector<FittedCubic> fit_ink(ChainPoints& chain, bool closed, FitOptions con
 
 Outline fit_rim(Rim const& rim, Contour const& positions, StrokeSamples const& samples,
                 FitOptions const& options) {
+  auto const cut = cut_rim(rim, positions);
   std::vector<ChainPoints> chains;
-  for (auto const& chain : cut_rim(rim, positions)) chains.push_back(points_of(chain, positions));
+  for (auto const& chain : cut) chains.push_back(points_of(chain, positions));
   int const count = static_cast<int>(std::ssize(chains));
-  bool const closed = is_closed(chains);
+  bool const closed = cut[0].is_ring && chains[0].points.size() > 2;
   for (int c = 0; c < count && count > 1; ++c)
     sharpen_corner(chains[(c + count - 1) % count], chains[c]);
   std::vector<std::vector<FittedCubic>> fitted(chains.size());

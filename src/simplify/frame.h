@@ -15,17 +15,19 @@ struct Frame {
   static constexpr double kFrameSize_px = 1000;
   static constexpr int kLatticePerPx = 16;
   static constexpr double kMargin_px = 12;  // keeps rounded points on the lattice
+  // Canvas px. Of coordinates up to 1e6 too few digits are left below it to tell points of the lattice apart.
+  static constexpr double kLeastSide_px = 1e-4;
 
   Vec2 origin;           // canvas px: goes to (kMargin_px, kMargin_px)
   double to_frame = 1;   // frame px per canvas px
   double to_canvas = 1;  // canvas px per frame px
 
-  /// box: of all strokes, in canvas px. A single point gets a frame in which it is the corner.
+  /// box: of all strokes, in canvas px. A single point, or what is hardly more, gets a frame in which it is the corner.
   static Frame around(Rect const& box) {
     Frame frame;
     if (box.is_empty()) return frame;
     frame.origin = box.min;
-    if (box.longer_side() > 0) {
+    if (box.longer_side() >= kLeastSide_px) {
       frame.to_frame = kFrameSize_px / box.longer_side();
       frame.to_canvas = box.longer_side() / kFrameSize_px;
     }

@@ -204,11 +204,11 @@ std::vector<RimChain> cut_rim(Rim const& rim, Contour const& positions) {
   };
   int first = 0;
   while (first < count && !is_break(first)) ++first;
-  if (first == count) return {{0, count, kinds[0]}};
+  if (first == count) return {{0, count, kinds[0], true}};
   std::vector<RimChain> chains;
   for (int k = 0; k < count; ++k) {
     int const i = (first + k) % count;
-    if (is_break(i)) chains.push_back({i, 0, kinds[i]});
+    if (is_break(i)) chains.push_back({i, 0, kinds[i], false});
     ++chains.back().size;
   }
   return chains;

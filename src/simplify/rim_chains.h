@@ -7,12 +7,12 @@
 
 namespace inkflate {
 
-/// A stretch of a rim without corners and of one kind: from corner `first` over `size` edges. A rim without any break is one chain
-/// that ends where it starts.
+/// A stretch of a rim without corners and of one kind: from corner `first` over `size` edges.
 struct RimChain {
   int first = 0;
   int size = 0;  // edges, > 0
   RunKind kind = RunKind::Ink;
+  bool is_ring = false;  // the whole rim, without any break: it goes on smoothly where it ends
 };
 
 /// Cuts a rim at its corners and where its kind changes, after runs too short to mean anything have taken the kind of what is around

@@ -13,9 +13,11 @@ constexpr double kMostSamples = 300'000;
 // The direction of a stroke is taken over this many samples to each side: enough to look past the pen's jitter.
 constexpr int kDirectionReach = 2;
 
+/// Samples of a stroke that follow one another at one place.
 struct Vertex {
   Vec2 position;  // frame px
-  double along;
+  double first;   // index of the first of them
+  double last;
 };
 
 std::vector<Vertex> vertices_of(Stroke const& stroke, Frame const& frame) {
@@ -24,8 +26,9 @@ std::vector<Vertex> vertices_of(Stroke const& stroke, Frame const& frame) {
   for (int i = 0; i < std::ssize(stroke.samples); ++i) {
     auto const p = frame.frame_point(stroke.samples[i].position);
     if (vertices.empty() || !(vertices.back().position == p)) {
-      vertices.push_back({p, static_cast<double>(i)});
+      vertices.push_back({p, static_cast<double>(i), static_cast<double>(i)});
     }
+    vertices.back().last = i;
   }
   return vertices;
 }
@@ -63,9 +66,9 @@ void append_piece(std::vector<Vertex> const& vertices, int first, int last, doub
     auto const& a = vertices[segment];
     auto const& b = vertices[segment + 1];
     points.push_back(
-        {lerp(a.position, b.position, t), {}, a.along + (b.along - a.along) * t, stroke});
+        {lerp(a.position, b.position, t), {}, a.last + (b.first - a.last) * t, stroke});
   }
-  points.push_back({vertices[last].position, {}, vertices[last].along, stroke});
+  points.push_back({vertices[last].position, {}, vertices[last].first, stroke});
 }
 
 void set_directions(std::span<StrokeSample> points) {
@@ -80,7 +83,7 @@ void set_directions(std::span<StrokeSample> points) {
 void append_stroke(std::vector<Vertex> const& vertices, double spacing_px, int stroke,
                    std::vector<StrokeSample>& points) {
   auto const first_point = points.size();
-  points.push_back({vertices[0].position, {}, vertices[0].along, stroke});
+  points.push_back({vertices[0].position, {}, vertices[0].first, stroke});
   int first = 0;
   int const last = static_cast<int>(std::ssize(vertices)) - 1;
   for (int i = 1; i <= last; ++i) {

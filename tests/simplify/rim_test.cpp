@@ -58,7 +58,7 @@ void expect_rims(Sketch const& sketch, Cells const& cells, CellLabels const& ins
 }
 
 TEST(Rims, SeparateInsideFromOutsideWhateverTheLabels) {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     auto const sketch = random_sketch(seed);
