@@ -18,8 +18,8 @@ class PointGrid {
     if (box.is_empty()) return;
     origin_ = box.min;
     double const most = 4.0 * static_cast<double>(points.size()) + 16;
-    double const area = (box.width() + side_px) * (box.height() + side_px);
-    side_ = std::max(side_px, std::sqrt(area / most));
+    side_ = side_px;
+    while ((box.width() / side_ + 1) * (box.height() / side_ + 1) > most) side_ *= 2;
     columns_ = static_cast<int>(box.width() / side_) + 1;
     rows_ = static_cast<int>(box.height() / side_) + 1;
     starts_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);

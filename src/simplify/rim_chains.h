@@ -18,7 +18,7 @@ struct RimChain {
 /// Cuts a rim at its corners and where its kind changes, after runs too short to mean anything have taken the kind of what is around
 /// them: gaps within the pencil's width, specks of ink in the middle of a closing.
 ///
-/// in      positions: of the rim's corners, frame px
+/// in      positions: of the rim's corners, work px
 /// out     chains in rim order that cover it; the first starts at a break if there is any
 std::vector<RimChain> cut_rim(Rim const& rim, Contour const& positions);
 

@@ -143,7 +143,7 @@ TEST(LabelCells, MarksHold) {
     auto const centre = [&](int t) {
       Vec2 sum;
       for (int e = 3 * t; e < 3 * t + 3; ++e)
-        sum += Frame::lattice_position(cells.samples.lattice[cells.corner(e)]);
+        sum += WorkSpace::lattice_position(cells.samples.lattice[cells.corner(e)]);
       return sum / 3;
     };
     int const marked = rng.below(cells.count());

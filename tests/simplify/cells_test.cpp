@@ -17,9 +17,9 @@ TEST(Cells, LengthsAreThoseOfTheLatticeOnBothSides) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     auto const cells = cells_of(random_sketch(seed), 12);
     for (int e = 0; e < 3 * cells.count(); ++e) {
-      auto const a = Frame::lattice_position(cells.samples.lattice[cells.corner(e)]);
+      auto const a = WorkSpace::lattice_position(cells.samples.lattice[cells.corner(e)]);
       auto const b =
-          Frame::lattice_position(cells.samples.lattice[cells.corner(next_half_edge(e))]);
+          WorkSpace::lattice_position(cells.samples.lattice[cells.corner(next_half_edge(e))]);
       EXPECT_NEAR(cells.length_px(e), distance(a, b), 1e-9);
       if (cells.twin(e) >= 0) {
         EXPECT_EQ(cells.is_ink(e), cells.is_ink(cells.twin(e)));
@@ -47,15 +47,15 @@ TEST(Cells, FindCellGivesTheTriangleAroundAPoint) {
   Rng rng(1);
   int found = 0;
   for (int i = 0; i < 200; ++i) {
-    Vec2 const p = Frame::lattice_position(
-        Frame::lattice_point({rng.uniform(-50, 1100), rng.uniform(-50, 1100)}));
+    Vec2 const p = WorkSpace::lattice_position(
+        WorkSpace::lattice_point({rng.uniform(-50, 1100), rng.uniform(-50, 1100)}));
     int const cell = find_cell(cells, p);
     for (int t = 0; t < cells.count(); ++t) {
       bool is_within = true;
       for (int e = 3 * t; e < 3 * t + 3; ++e) {
-        auto const a = Frame::lattice_position(cells.samples.lattice[cells.corner(e)]);
+        auto const a = WorkSpace::lattice_position(cells.samples.lattice[cells.corner(e)]);
         auto const b =
-            Frame::lattice_position(cells.samples.lattice[cells.corner(next_half_edge(e))]);
+            WorkSpace::lattice_position(cells.samples.lattice[cells.corner(next_half_edge(e))]);
         is_within &= orientation_sign(a, b, p) >= (t == cell ? 0 : 1);
       }
       EXPECT_EQ(is_within, t == cell);

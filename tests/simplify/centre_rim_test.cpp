@@ -101,7 +101,7 @@ TEST(CentreRim, AStraightBandStaysStraight) {
 
 TEST(CentreRim, AThinBandNeverCollapses) {
   for (double const width_px : {4.0, 6.0, 10.0, 20.0}) {
-    // Closed at its ends, and with a corner far off, so that frame and canvas are of one scale.
+    // Closed at its ends, and with a corner far off, so that space and canvas are of one scale.
     auto const centred = centre(
         sketch_of({line_stroke({{0, 0}, {1000, 0}, {1000, width_px}, {0, width_px}, {0, 0}})}));
     ASSERT_FALSE(centred.after.empty());

@@ -128,7 +128,7 @@ TEST(FitRims, RimsThatShareASampleTouchOnlyThere) {
   std::vector<Contour> polygons;
   for (auto const& outline : outlines) polygons.push_back(flatten(outline, 0.01));
   for (auto const& polygon : polygons) EXPECT_TRUE(is_simple(polygon));
-  auto const place = Frame{}.canvas_point({500, 500});
+  auto const place = WorkSpace{}.canvas_point({500, 500});
   for (auto const& crossing : find_crossings(polygons, 100)) {
     auto const& a = polygons[crossing.contour_a];
     EXPECT_TRUE(a[crossing.edge_a] == place || a[(crossing.edge_a + 1) % std::ssize(a)] == place);

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kWidth_px = 7;
 
-/// The rims of a sketch that was drawn in frame px, and what is left of them.
+/// The rims of a sketch that was drawn in work px, and what is left of them.
 struct Pruned {
   std::vector<Rim> before;
   std::vector<Rim> after;
   StrokeSamples samples;
 };
 
-/// A 1000 px frame: a dot in each corner sees to it.
+/// A 1000 px space: a dot in each corner sees to it.
 Pruned prune(std::vector<Stroke> strokes) {
   strokes.push_back(line_stroke({{0, 0}}));
   strokes.push_back(line_stroke({{1000, 1000}}));

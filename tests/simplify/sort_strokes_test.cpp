@@ -27,13 +27,13 @@ Layer square(double x, double y, double side) {
   return layer_around({{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}});
 }
 
-/// Sorts the strokes of a sketch in the frame of its canvas: two dots see to it.
+/// Sorts the strokes of a sketch in the space of its canvas: two dots see to it.
 Strokes sort(std::vector<Stroke> strokes, std::vector<Layer>& layers) {
   int const count = static_cast<int>(std::ssize(strokes));
   strokes.push_back(line_stroke({{0, 0}}));
   strokes.push_back(line_stroke({{1000, 1000}}));
   auto const sketch = sketch_of(std::move(strokes));
-  auto stray = sort_strokes(samples_of(sketch), frame_of(sketch), layers);
+  auto stray = sort_strokes(samples_of(sketch), space_of(sketch), layers);
   std::erase_if(stray, [&](int stroke) { return stroke >= count; });
   return stray;
 }
@@ -98,15 +98,15 @@ TEST(SortStrokes, WithoutLayersAllIsStray) {
 TEST(SortStrokes, EveryStrokeIsInOnePlaceInDrawingOrder) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     auto const sketch = random_sketch(seed);
-    auto const frame = frame_of(sketch);
+    auto const space = space_of(sketch);
     std::vector<Layer> layers = {square(100, 100, 300), square(390, 200, 500),
                                  square(450, 300, 100)};
     for (auto& layer : layers) {
       for (auto& piece : layer.outlines[0].pieces) {
-        for (auto& control : piece.curve.control) control = frame.canvas_point(control);
+        for (auto& control : piece.curve.control) control = space.canvas_point(control);
       }
     }
-    auto const stray = sort_strokes(samples_of(sketch), frame, layers);
+    auto const stray = sort_strokes(samples_of(sketch), space, layers);
     std::vector<Strokes const*> lists = {&stray};
     for (auto const& layer : layers) {
       lists.push_back(&layer.strokes);

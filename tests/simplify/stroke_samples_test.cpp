@@ -12,12 +12,12 @@
 namespace inkflate {
 namespace {
 
-/// Where a stroke is at index + fraction, frame px.
-Vec2 place(Stroke const& stroke, Frame const& frame, double along) {
+/// Where a stroke is at index + fraction, work px.
+Vec2 place(Stroke const& stroke, WorkSpace const& space, double along) {
   auto const i = static_cast<std::size_t>(along);
-  auto const a = frame.frame_point(stroke.samples[i].position);
+  auto const a = space.work_point(stroke.samples[i].position);
   if (i + 1 == stroke.samples.size()) return a;
-  return lerp(a, frame.frame_point(stroke.samples[i + 1].position), along - std::floor(along));
+  return lerp(a, space.work_point(stroke.samples[i + 1].position), along - std::floor(along));
 }
 
 bool holds(StrokeSamples const& samples, Vec2 p) {
@@ -27,16 +27,16 @@ bool holds(StrokeSamples const& samples, Vec2 p) {
 }
 
 void expect_samples(Sketch const& sketch, double spacing_px) {
-  auto const frame = frame_of(sketch);
+  auto const space = space_of(sketch);
   auto const samples = samples_of(sketch, spacing_px);
   auto const& points = samples.points;
   EXPECT_EQ(samples.spacing_px, spacing_px);
   EXPECT_EQ(samples.lattice.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     auto const& stroke = sketch.strokes[points[i].stroke];
-    EXPECT_LT(distance(points[i].position, place(stroke, frame, points[i].along)), 1e-6);
-    EXPECT_LT(distance(points[i].position, Frame::lattice_position(samples.lattice[i])),
-              0.75 / Frame::kLatticePerPx);
+    EXPECT_LT(distance(points[i].position, place(stroke, space, points[i].along)), 1e-6);
+    EXPECT_LT(distance(points[i].position, WorkSpace::lattice_position(samples.lattice[i])),
+              0.75 / WorkSpace::kLatticePerPx);
     double const size = norm(points[i].direction);
     EXPECT_TRUE(std::abs(size - 1) < 1e-9 || size == 0);
     if (i == 0 || points[i].stroke != points[i - 1].stroke) {
@@ -49,8 +49,8 @@ void expect_samples(Sketch const& sketch, double spacing_px) {
   }
   for (auto const& stroke : sketch.strokes) {
     if (stroke.samples.empty()) continue;
-    EXPECT_TRUE(holds(samples, frame.frame_point(stroke.samples.front().position)));
-    EXPECT_TRUE(holds(samples, frame.frame_point(stroke.samples.back().position)));
+    EXPECT_TRUE(holds(samples, space.work_point(stroke.samples.front().position)));
+    EXPECT_TRUE(holds(samples, space.work_point(stroke.samples.back().position)));
   }
 }
 
@@ -76,7 +76,7 @@ TEST(StrokeSamples, CornersOfPolygonsStay) {
   auto const sketch = sketch_of({line_stroke(corners)});
   auto const samples = samples_of(sketch);
   for (auto const corner : corners)
-    EXPECT_TRUE(holds(samples, frame_of(sketch).frame_point(corner)));
+    EXPECT_TRUE(holds(samples, space_of(sketch).work_point(corner)));
 }
 
 TEST(StrokeSamples, ADotIsOneSampleWithoutDirection) {
@@ -95,7 +95,7 @@ TEST(StrokeSamples, OnlyTheChosenStrokesAreTaken) {
   auto const sketch = sketch_of({line_stroke({{0, 0}, {1000, 0}}), line_stroke({{0, 9}, {1000, 9}}),
                                  line_stroke({{0, 99}, {1000, 99}})});
   std::vector<int> const chosen = {0, 2};
-  auto const samples = sample_strokes(sketch, chosen, frame_of(sketch), 10);
+  auto const samples = sample_strokes(sketch, chosen, space_of(sketch), 10);
   EXPECT_EQ(samples.points.size(), 202U);
   EXPECT_TRUE(std::none_of(samples.points.begin(), samples.points.end(),
                            [](StrokeSample const& sample) { return sample.stroke == 1; }));

@@ -17,9 +17,9 @@ struct HandMadeRims {
     for (std::size_t i = 0; i < contour.size(); ++i) {
       rim.push_back(
           {static_cast<int>(std::ssize(samples.points)), kinds.empty() ? RunKind::Ink : kinds[i]});
-      auto const lattice = Frame::lattice_point(contour[i]);
+      auto const lattice = WorkSpace::lattice_point(contour[i]);
       auto const next = contour[(i + 1) % contour.size()];
-      samples.points.push_back({Frame::lattice_position(lattice), normalized(next - contour[i]),
+      samples.points.push_back({WorkSpace::lattice_position(lattice), normalized(next - contour[i]),
                                 static_cast<double>(i), stroke});
       samples.lattice.push_back(lattice);
     }
