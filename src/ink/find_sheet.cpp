@@ -37,6 +37,9 @@ constexpr double kShortestEdge = 0.35;
 constexpr double kLeastSeen = 0.75;
 /// Wider than any pen, in cells. One such edge given, others may be nearer to the border.
 constexpr double kNarrowestTable = 3;
+/// A sheet's edge is sharp: so much of its contrast lies within this share of the longer side. A shadow's is not.
+constexpr double kSharpSide = 0.002;
+constexpr double kLeastSharp = 0.5;
 /// What is left of the picture is no sheet if it is less than this share.
 constexpr double kSmallestSheet = 0.1;
 /// The shadow at a sheet's edge and the fibres there reach this share of the longer side into it.
@@ -85,22 +88,31 @@ Rgb mean_down(Picture const& view, int along, int first, int end) {
   return sum;
 }
 
-/// How much darker a colour is than the sheet, as a share in the channel that differs most; 0: not as much as a table.
+/// Whether cells are equally bright, as paper is.
+bool is_even_down(Picture const& view, int along, int first, int end) {
+  double least = 255;
+  double most = 0;
+  for (int depth = first; depth < end; ++depth) {
+    double const here = brightness(rgb(view.at(along, depth)));
+    least = std::min(least, here);
+    most = std::max(most, here);
+  }
+  return most - least < kGroundLighterLevels;
+}
+
+/// How many levels darker a colour is than the sheet, in the channel that differs most; 0: not as much as a table.
 double table_contrast(Rgb const& outside, Rgb const& sheet) {
   double most = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     double const loss = sheet[c] - outside[c];
-    if (loss >= kTableDarkerLevels) most = std::max(most, loss / sheet[c]);
+    if (loss >= kTableDarkerLevels && loss >= kTableDarker * sheet[c]) most = std::max(most, loss);
   }
-  return most >= kTableDarker ? most : 0;
+  return most;
 }
 
-double ground_contrast(Rgb const& outside, Rgb const& sheet) {
-  double const outer = brightness(outside);
-  double const inner = brightness(sheet);
-  return outer - inner >= kGroundLighterLevels && inner >= kDarkestSheet * outer
-             ? (outer - inner) / outer
-             : 0;
+double ground_contrast(double outside, double sheet) {
+  double const gain = outside - sheet;
+  return gain >= kGroundLighterLevels && sheet >= kDarkestSheet * outside ? gain : 0;
 }
 
 /// Whether a cell is nearer to the sheet than to what lies outside, in the channels that tell them apart.
@@ -119,9 +131,14 @@ bool is_like_sheet(Rgb const& cell, Rgb const& outside, Rgb const& sheet) {
 double edge_contrast(Picture const& view, int along, int depth, Surround surround) {
   auto const outside = mean_down(view, along, std::max(0, depth - kStripCells), depth);
   auto const sheet = mean_down(view, along, depth, depth + kStripCells);
-  double const contrast = surround == Surround::Darker ? table_contrast(outside, sheet)
-                                                       : ground_contrast(outside, sheet);
+  double const contrast = surround == Surround::Darker
+                              ? table_contrast(outside, sheet)
+                              : ground_contrast(brightness(outside), brightness(sheet));
   if (contrast <= 0) return 0;
+  // A line on white paper is no grey sheet, and a grey area with a line around it was drawn.
+  if (surround == Surround::Lighter && !is_even_down(view, along, depth, depth + kStripCells)) {
+    return 0;
+  }
   int like_sheet = 0;
   for (int i = 0; i < depth; ++i) {
     auto const cell = rgb(view.at(along, i));
@@ -161,6 +178,22 @@ struct Edge {
   std::vector<char> is_seen;  // by cell along the side
   std::vector<double> depths;
 };
+
+/// Without what is not the most within a few cells of the same column: the places of the edges alone.
+Grid2<double> peaks(Grid2<double> const& contrasts) {
+  auto result = contrasts;
+  for (int along = 0; along < contrasts.width; ++along) {
+    for (int depth = 0; depth < contrasts.height; ++depth) {
+      int const end = std::min(contrasts.height, depth + kStripCells);
+      double most = 0;
+      for (int i = std::max(0, depth - kStripCells + 1); i < end; ++i) {
+        most = std::max(most, contrasts.at(along, i));
+      }
+      if (contrasts.at(along, depth) < most) result.at(along, depth) = 0;
+    }
+  }
+  return result;
+}
 
 double contrast_at(Grid2<double> const& contrasts, int along, int depth) {
   return depth >= 1 && depth < contrasts.height ? contrasts.at(along, depth) : 0;
@@ -221,9 +254,61 @@ std::optional<Edge> find_edge(Picture const& view, Surround surround) {
     if (most > 0) ++possible;
   }
   if (!is_long(possible)) return std::nullopt;
-  auto edge = follow(best_line(contrasts), contrasts);
+  auto edge = follow(best_line(contrasts), peaks(contrasts));
   auto const seen = std::count(edge.is_seen.begin(), edge.is_seen.end(), 1);
   return is_long(static_cast<int>(seen)) ? std::optional(edge) : std::nullopt;
+}
+
+/// Brightness of the picture's pixels at a depth from a side, in the mean over some columns.
+double row_brightness(Side side, Picture const& picture, int first, int end, int depth) {
+  int const at = side.is_far ? depth_count(side, picture.width, picture.height) - 1 - depth : depth;
+  double sum = 0;
+  for (int along = first; along < end; ++along) {
+    sum += brightness(rgb(side.is_upright ? picture.at(at, along) : picture.at(along, at)));
+  }
+  return sum / (end - first);
+}
+
+/// The largest step of brightness within a few pixels, as a share of that from one end of the profile to the other.
+double sharpness(std::vector<double> const& profile, std::size_t strip_px, std::size_t step_px) {
+  double before = 0;
+  double after = 0;
+  for (std::size_t i = 0; i < strip_px; ++i) {
+    before += profile[i] / static_cast<double>(strip_px);
+    after += profile[profile.size() - 1 - i] / static_cast<double>(strip_px);
+  }
+  double const sign = after > before ? 1 : -1;
+  double most = 0;
+  for (std::size_t i = step_px; i < profile.size(); ++i) {
+    most = std::max(most, sign * (profile[i] - profile[i - step_px]));
+  }
+  return most / std::max(1.0, std::abs(after - before));
+}
+
+/// Whether the edge is as sharp as the picture in most places.
+bool is_sharp(Side side, Edge const& edge, Picture const& picture, double cell_px) {
+  auto const step_px = static_cast<int>(kSharpSide * std::max(picture.width, picture.height)) + 1;
+  auto const strip_px = std::max(1, static_cast<int>(cell_px));
+  int const reach_px = 2 * strip_px + step_px;
+  int const deep = depth_count(side, picture.width, picture.height);
+  int seen = 0;
+  int sharp = 0;
+  for (std::size_t i = 0; i < edge.depths.size(); ++i) {
+    if (edge.is_seen[i] == 0) continue;
+    int const column = static_cast<int>(static_cast<double>(i) * cell_px);
+    int const middle = static_cast<int>(edge.depths[i] * cell_px);
+    std::vector<double> profile;
+    for (int depth = std::max(0, middle - reach_px); depth < std::min(deep, middle + reach_px);
+         ++depth) {
+      profile.push_back(row_brightness(side, picture, column, column + strip_px, depth));
+    }
+    ++seen;
+    if (sharpness(profile, static_cast<std::size_t>(strip_px), static_cast<std::size_t>(step_px)) >=
+        kLeastSharp) {
+      ++sharp;
+    }
+  }
+  return 2 * sharp > seen;
 }
 
 using Edges = std::array<std::optional<Edge>, 4>;
@@ -321,6 +406,7 @@ Mask find_sheet(Picture const& picture) {
     Edges edges;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       edges[i] = find_edge(seen_from(kSides[i], cells), surround);
+      if (edges[i] && !is_sharp(kSides[i], *edges[i], picture, cell_px)) edges[i].reset();
     }
     drop_doubtful(edges, cells);
     for (std::size_t i = 0; i < edges.size(); ++i) {
