@@ -135,6 +135,10 @@ double edge_contrast(Picture const& view, int along, int depth, Surround surroun
                               ? table_contrast(outside, sheet)
                               : ground_contrast(brightness(outside), brightness(sheet));
   if (contrast <= 0) return 0;
+  // A light line on a dark ground is no sheet: that goes on behind its edge.
+  for (int i = depth; i < depth + kStripCells; ++i) {
+    if (!is_like_sheet(rgb(view.at(along, i)), outside, sheet)) return 0;
+  }
   // A line on white paper is no grey sheet, and a grey area with a line around it was drawn.
   if (surround == Surround::Lighter && !is_even_down(view, along, depth, depth + kStripCells)) {
     return 0;
