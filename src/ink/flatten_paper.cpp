@@ -21,6 +21,8 @@ constexpr double kDarkestPaper = 0.45;
 /// A cell whose colour is this much stronger than the page's is a coloured area.
 constexpr double kMostColour = 0.22;
 
+constexpr Colour kWhite = {255, 255, 255};
+
 using Rgb = std::array<double, 3>;
 
 Rgb rgb(Colour colour) {
@@ -86,19 +88,34 @@ double quantile_of(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(index)];
 }
 
-/// Which cells hold paper at all, and not a solid area.
-Mask paper_cells(Grid2<Rgb> const& cells) {
+/// Which cells have their middle on the sheet: not a pixel of such a cell lies beyond its edge's shadow.
+Mask sheet_cells(Cells const& cells, Mask const& sheet) {
+  Mask result(cells.paper.width, cells.paper.height);
+  int const half_px = cells.side_px / 2;
+  for (int y = 0; y < result.height; ++y) {
+    for (int x = 0; x < result.width; ++x) {
+      result.at(x, y) = sheet.at(std::min(sheet.width - 1, x * cells.side_px + half_px),
+                                 std::min(sheet.height - 1, y * cells.side_px + half_px));
+    }
+  }
+  return result;
+}
+
+/// Which cells of the sheet hold paper at all, and not a solid area.
+Mask paper_cells(Grid2<Rgb> const& cells, Mask result) {
   std::vector<double> lights;
   std::vector<double> colours;
-  for (auto const& cell : cells.values) {
-    lights.push_back(brightness(cell));
-    colours.push_back(colourfulness(cell));
+  for (std::size_t i = 0; i < cells.values.size(); ++i) {
+    if (result.values[i] == 0) continue;
+    lights.push_back(brightness(cells.values[i]));
+    colours.push_back(colourfulness(cells.values[i]));
   }
   double const darkest = kDarkestPaper * quantile_of(lights, 0.8);
   double const most_colour = quantile_of(colours, 0.5) + kMostColour;
-  Mask result(cells.width, cells.height);
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    result.values[i] = lights[i] >= darkest && colours[i] <= most_colour ? 255 : 0;
+  for (std::size_t i = 0; i < cells.values.size(); ++i) {
+    if (brightness(cells.values[i]) < darkest || colourfulness(cells.values[i]) > most_colour) {
+      result.values[i] = 0;
+    }
   }
   return result;
 }
@@ -174,11 +191,12 @@ Rgb paper_at(Grid2<Rgb> const& cells, Between const& across, Between const& down
 
 }  // namespace
 
-FlatScan flatten_paper(Picture const& picture) {
+FlatScan flatten_paper(Picture const& picture, Mask const& sheet) {
   auto cells = cells_of(picture);
-  fill_unknown(cells.paper, paper_cells(cells.paper));
+  fill_unknown(cells.paper, paper_cells(cells.paper, sheet_cells(cells, sheet)));
   close_and_smooth(cells.paper);
-  FlatScan flat{Picture(picture.width, picture.height), Mask(picture.width, picture.height)};
+  FlatScan flat{Picture(picture.width, picture.height, kWhite),
+                Mask(picture.width, picture.height)};
   std::vector<Between> columns;
   columns.reserve(static_cast<std::size_t>(picture.width));
   for (int x = 0; x < picture.width; ++x) {
@@ -187,6 +205,7 @@ FlatScan flatten_paper(Picture const& picture) {
   for (int y = 0; y < picture.height; ++y) {
     auto const down = between(y, cells.side_px, cells.paper.height);
     for (int x = 0; x < picture.width; ++x) {
+      if (sheet.at(x, y) == 0) continue;
       auto const paper = paper_at(cells.paper, columns[static_cast<std::size_t>(x)], down);
       auto const pixel = picture.at(x, y);
       auto const relative = [](std::uint8_t value, double white) {
@@ -203,12 +222,12 @@ FlatScan flatten_paper(Picture const& picture) {
   return flat;
 }
 
-bool is_drawn_on_dark(Picture const& picture) {
-  Mask lights(picture.width, picture.height);
-  for (std::size_t i = 0; i < lights.values.size(); ++i) {
-    lights.values[i] = static_cast<std::uint8_t>(brightness(rgb(picture.values[i])));
+bool is_drawn_on_dark(Picture const& picture, Mask const& sheet) {
+  std::array<long long, 256> counts{};
+  for (std::size_t i = 0; i < picture.values.size(); ++i) {
+    if (sheet.values[i] == 0) continue;
+    ++counts[static_cast<std::size_t>(brightness(rgb(picture.values[i])))];
   }
-  auto const counts = histogram(lights);
   int const middle = quantile(counts, 0.5);
   // A dim photograph of paper is dark as well, but its lines are darker still.
   return middle < 128 && quantile(counts, 0.99) - middle > middle - quantile(counts, 0.01);

@@ -12,11 +12,12 @@ struct FlatScan {
       strength;  // 0 paper .. 255: how much darker than the paper in the channel that differs most; softened
 };
 
-/// Estimates the paper under a drawing, shadows and all, and divides by it. Opaque picture of at least one pixel.
-FlatScan flatten_paper(Picture const& picture);
+/// Estimates the paper under a drawing, shadows and all, and divides by it. Opaque picture of at least one pixel;
+/// sheet: as find_sheet gives it; where it is 0 the result is white.
+FlatScan flatten_paper(Picture const& picture, Mask const& sheet);
 
-/// Whether light lines lie on a dark ground.
-bool is_drawn_on_dark(Picture const& picture);
+/// Whether light lines lie on a dark ground, on the sheet.
+bool is_drawn_on_dark(Picture const& picture, Mask const& sheet);
 
 /// Black for white and back; hues stay.
 Picture with_lightness_turned(Picture picture);

@@ -105,8 +105,11 @@ void hollow_solids(InkMask& ink) {
 
 }  // namespace
 
-InkMask find_ink(Mask const& strength, double threshold_share) {
-  auto const counts = histogram(strength);
+InkMask find_ink(Mask const& strength, Mask const& sheet, double threshold_share) {
+  std::array<long long, 256> counts{};
+  for (std::size_t i = 0; i < strength.values.size(); ++i) {
+    if (sheet.values[i] != 0) ++counts[strength.values[i]];
+  }
   double const threshold = std::max(threshold_share * otsu_threshold(counts), noise_floor(counts));
   auto mask = at_least(strength, threshold);
   auto const speck_px = speck_area(mask);

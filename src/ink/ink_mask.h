@@ -12,7 +12,7 @@ struct InkMask {
       radius_px;  // distance from a pixel's centre to the nearest paper's border; 0 on paper
 };
 
-/// strength: 0 paper .. 255. threshold_share: of Otsu's threshold. No ink: an empty mask of the same size.
-InkMask find_ink(Mask const& strength, double threshold_share);
+/// strength: 0 paper .. 255. sheet: where to look at the values, 255. threshold_share: of Otsu's threshold. No ink: an empty mask of the same size.
+InkMask find_ink(Mask const& strength, Mask const& sheet, double threshold_share);
 
 }  // namespace inkflate

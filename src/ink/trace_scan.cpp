@@ -7,6 +7,7 @@
 
 #include "image/filter.h"
 #include "image/thin.h"
+#include "ink/find_sheet.h"
 #include "ink/flatten_paper.h"
 #include "ink/ink_colour.h"
 #include "ink/ink_mask.h"
@@ -36,7 +37,7 @@ Error empty_page() {
           "the drawing"};
 }
 
-/// The picture as dark lines on light paper, not larger than the work allows.
+/// The picture over white, not larger than the work allows.
 Picture work_picture(Picture const& picture, int work_side_px) {
   int const longer = std::max(picture.width, picture.height);
   double const scale = std::min(1.0, static_cast<double>(work_side_px) / longer);
@@ -44,8 +45,7 @@ Picture work_picture(Picture const& picture, int work_side_px) {
     return std::max(1, static_cast<int>(std::floor(side_px * scale + 0.5)));
   };
   auto work = scale < 1 ? shrink(picture, side(picture.width), side(picture.height)) : picture;
-  work = over_white(std::move(work));
-  return is_drawn_on_dark(work) ? with_lightness_turned(std::move(work)) : work;
+  return over_white(std::move(work));
 }
 
 /// The lines of the ink, each of one kind.
@@ -90,10 +90,12 @@ Result<Sketch> trace_scan(Picture const& picture, ScanOptions const& options,
   if (auto error = check_options(options)) return *error;
   if (picture.values.empty()) return empty_page();
   if (!progress.enter("paper")) return cancelled;
-  auto const work = work_picture(picture, options.work_side_px);
-  auto const flat = flatten_paper(work);
+  auto work = work_picture(picture, options.work_side_px);
+  auto const sheet = find_sheet(work);
+  if (is_drawn_on_dark(work, sheet)) work = with_lightness_turned(std::move(work));
+  auto const flat = flatten_paper(work, sheet);
   if (!progress.enter("ink")) return cancelled;
-  auto const ink = find_ink(flat.strength, options.ink_threshold);
+  auto const ink = find_ink(flat.strength, sheet, options.ink_threshold);
   if (!progress.enter("lines")) return cancelled;
   auto const lines = find_lines(ink, flat.colour, options.help_line_ink);
   if (lines.empty()) return empty_page();
