@@ -15,6 +15,10 @@ namespace {
 
 constexpr double kLargestCoordinate_px = 1e6;
 
+// The longer side of the strokes is at least this share of their coordinates. Rounding to doubles is then 2e-5 frame px and less, far
+// below what keeps outlines from crossing.
+constexpr double kLeastSize = 1e-8;
+
 // Distance of the samples by which strokes are given to layers, frame px.
 constexpr double kSortSpacing_px = 4;
 
@@ -52,12 +56,34 @@ std::optional<Error> check(Sketch const& sketch) {
   return std::nullopt;
 }
 
-Frame frame_of(Sketch const& sketch) {
+Rect bounds_of(Sketch const& sketch) {
   Rect box;
   for (auto const& stroke : sketch.strokes) {
     for (auto const& sample : stroke.samples) box.include(sample.position);
   }
-  return Frame::around(box);
+  return box;
+}
+
+/// Strokes so small for where they lie that doubles cannot hold their outline.
+std::optional<Error> check(Rect const& box) {
+  if (box.is_empty() || box.longer_side() == 0) return std::nullopt;
+  double const farthest_px = std::max(
+      {std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x), std::abs(box.max.y)});
+  if (box.longer_side() >= kLeastSize * farthest_px) return std::nullopt;
+  return Error{ErrorCode::BadInput,
+               "the strokes are too small for how far from (0, 0) they lie: make them larger, or "
+               "move them closer"};
+}
+
+/// The frame in which strokes are given to layers. Outlines of whole pixels can be longer than tiny strokes by any factor, so a
+/// pixel is at most as long as a stroke may lie from the outline that it draws.
+Frame sorting_frame(Frame frame, SimplifyMethod method) {
+  constexpr double kLongestPixel_px = 9;
+  if (method == SimplifyMethod::Grid && frame.to_frame > kLongestPixel_px) {
+    frame.to_frame = kLongestPixel_px;
+    frame.to_canvas = 1 / kLongestPixel_px;
+  }
+  return frame;
 }
 
 /// The strokes that are closed together.
@@ -95,14 +121,17 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
                          Progress const& progress) {
   if (auto const error = check(options)) return *error;
   if (auto const error = check(sketch)) return *error;
-  auto const frame = frame_of(sketch);
+  auto const box = bounds_of(sketch);
+  if (auto const error = check(box)) return *error;
+  auto const frame = Frame::around(box);
+  auto const sorting = sorting_frame(frame, options.method);
   Drawing drawing = {sketch, {}, {}};
   for (auto const& group : groups_of(sketch, options.parts)) {
     auto layers = close(sketch, group.strokes, frame, options, progress);
     if (!layers) return layers.error();
     if (!progress.enter("sort")) return Error{ErrorCode::Cancelled, "stopped on request"};
-    auto const samples = sample_strokes(sketch, group.strokes, frame, kSortSpacing_px);
-    auto const stray = sort_strokes(samples, frame, *layers);
+    auto const samples = sample_strokes(sketch, group.strokes, sorting, kSortSpacing_px);
+    auto const stray = sort_strokes(samples, sorting, *layers);
     drawing.stray.insert(drawing.stray.end(), stray.begin(), stray.end());
     for (auto& layer : *layers) {
       layer.name =
