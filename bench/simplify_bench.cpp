@@ -12,7 +12,7 @@
 namespace inkflate {
 namespace {
 
-// What docs/algorithms/simplify.md resamples strokes to, frame px; here only to tell how large a drawing is.
+// What docs/algorithms/simplify.md resamples strokes to, work px; here only to tell how large a drawing is.
 constexpr double kSpacing_px = 2.2;
 
 double sample_count(Sketch const& sketch) {
@@ -23,7 +23,7 @@ double sample_count(Sketch const& sketch) {
     for (auto const& sample : stroke.samples) box.include(sample.position);
   }
   return static_cast<double>(
-      sample_strokes(sketch, all, Frame::around(box), kSpacing_px).points.size());
+      sample_strokes(sketch, all, WorkSpace::around(box), kSpacing_px).points.size());
 }
 
 /// Simplifies once; the time of each stage is added to the clock.

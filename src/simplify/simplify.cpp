@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
 
 #include "simplify/close_strokes.h"
@@ -14,6 +13,10 @@ namespace inkflate {
 namespace {
 
 constexpr double kLargestCoordinate_px = 1e6;
+
+// The longer side of the strokes is at least this share of their coordinates. Rounding to doubles is then 2e-5 work px and less, far
+// below what keeps outlines from crossing.
+constexpr double kLeastSize = 1e-8;
 
 // Distance of the samples by which strokes are given to layers, work px.
 constexpr double kSortSpacing_px = 4;
@@ -56,12 +59,34 @@ std::optional<Error> check(Sketch const& sketch) {
   return std::nullopt;
 }
 
-WorkSpace space_of(Sketch const& sketch) {
+Rect bounds_of(Sketch const& sketch) {
   Rect box;
   for (auto const& stroke : sketch.strokes) {
     for (auto const& sample : stroke.samples) box.include(sample.position);
   }
-  return WorkSpace::around(box);
+  return box;
+}
+
+/// Strokes so small for where they lie that doubles cannot hold their outline.
+std::optional<Error> check(Rect const& box) {
+  if (box.is_empty() || box.longer_side() == 0) return std::nullopt;
+  double const farthest_px = std::max(
+      {std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x), std::abs(box.max.y)});
+  if (box.longer_side() >= kLeastSize * farthest_px) return std::nullopt;
+  return Error{ErrorCode::BadInput,
+               "the strokes are too small for how far from (0, 0) they lie: make them larger, or "
+               "move them closer"};
+}
+
+/// The space in which strokes are given to layers. Outlines of whole pixels can be longer than tiny strokes by any factor, so a
+/// pixel is at most as long as a stroke may lie from the outline that it draws.
+WorkSpace sorting_space(WorkSpace space, SimplifyMethod method) {
+  constexpr double kLongestPixel_px = 9;
+  if (method == SimplifyMethod::Grid && space.to_work > kLongestPixel_px) {
+    space.to_work = kLongestPixel_px;
+    space.to_canvas = 1 / kLongestPixel_px;
+  }
+  return space;
 }
 
 /// The strokes that are closed together.
@@ -81,16 +106,10 @@ std::vector<Group> groups_of(Sketch const& sketch, Parts parts) {
   return groups;
 }
 
-Result<std::vector<Layer>> close(Sketch const& sketch, std::span<int const> chosen,
-                                 WorkSpace const& space, SimplifyOptions const& options,
-                                 Progress const& progress) {
-  if (options.method == SimplifyMethod::Grid)
-    return close_by_grid(sketch, chosen, options, progress);
-  auto const is_faint = faint_strokes(sketch);
-  std::vector<int> strong;
-  std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(strong),
-               [&](int s) { return !is_faint[s]; });
-  return close_by_cut(sketch, strong, space, options, progress);
+/// The strokes of a group that are no construction lines.
+std::vector<int> without(std::vector<bool> const& is_faint, std::vector<int> strokes) {
+  std::erase_if(strokes, [&](int s) { return is_faint[s]; });
+  return strokes;
 }
 
 }  // namespace
@@ -99,14 +118,21 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
                          Progress const& progress) {
   if (auto const error = check(options)) return *error;
   if (auto const error = check(sketch)) return *error;
-  auto const space = space_of(sketch);
+  auto const box = bounds_of(sketch);
+  if (auto const error = check(box)) return *error;
+  auto const space = WorkSpace::around(box);
+  auto const sorting = sorting_space(space, options.method);
+  auto const is_faint = faint_strokes(sketch);
   Drawing drawing = {sketch, {}, {}};
   for (auto const& group : groups_of(sketch, options.parts)) {
-    auto layers = close(sketch, group.strokes, space, options, progress);
+    auto layers =
+        options.method == SimplifyMethod::Grid
+            ? close_by_grid(sketch, group.strokes, options, progress)
+            : close_by_cut(sketch, without(is_faint, group.strokes), space, options, progress);
     if (!layers) return layers.error();
     if (!progress.enter("sort")) return Error{ErrorCode::Cancelled, "stopped on request"};
-    auto const samples = sample_strokes(sketch, group.strokes, space, kSortSpacing_px);
-    auto const stray = sort_strokes(samples, space, *layers);
+    auto const samples = sample_strokes(sketch, group.strokes, sorting, kSortSpacing_px);
+    auto const stray = sort_strokes(samples, sorting, *layers);
     drawing.stray.insert(drawing.stray.end(), stray.begin(), stray.end());
     for (auto& layer : *layers) {
       layer.name =
@@ -115,10 +141,10 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
     }
   }
   if (drawing.layers.empty()) {
-    return Error{ErrorCode::NothingThere,
-                 "no strokes enclose an area: draw the outline further round, close large openings "
-                 "with help lines, or "
-                 "allow larger gaps"};
+    return Error{
+        ErrorCode::NothingThere,
+        "no strokes enclose an area: draw the outline further round, close large openings with "
+        "help lines, or allow larger gaps"};
   }
   return drawing;
 }

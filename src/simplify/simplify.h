@@ -38,9 +38,10 @@ struct SimplifyOptions {
 
 /// Closes a rough sketch: smooth closed contours in the middle of its overdrawn strokes.
 ///
-/// in      sketch: any number of strokes; samples finite, within 1e6 px
+/// in      sketch: any number of strokes; samples finite, within 1e6 px; their box at least 1e-8 of its
+///         distance from (0, 0), or a single point
 /// out     the sketch with its layers; every outline is closed and simple
-/// errors  BadOption; BadInput (a sample not finite or out of range); NothingThere (no stroke encloses or nearly
+/// errors  BadOption; BadInput (a sample not finite or out of range, a box too small); NothingThere (no stroke encloses or nearly
 ///         encloses an area); Cancelled
 /// cost    O(n log n) in the number of samples; about 10 ms for 250 strokes
 /// source  thesis section 3.2, eq. 3.4; docs/algorithms/simplify.md
