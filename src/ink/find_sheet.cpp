@@ -40,6 +40,8 @@ constexpr double kNarrowestTable = 3;
 /// A sheet's edge is sharp: so much of its contrast lies within this share of the longer side. A shadow's is not.
 constexpr double kSharpSide = 0.002;
 constexpr double kLeastSharp = 0.5;
+/// No shadow leaves less than this share of the light: what is darker may be blurred.
+constexpr double kDarkestShadow = 0.45;
 /// What is left of the picture is no sheet if it is less than this share.
 constexpr double kSmallestSheet = 0.1;
 /// The shadow at a sheet's edge and the fibres there reach this share of the longer side into it.
@@ -273,7 +275,8 @@ double row_brightness(Side side, Picture const& picture, int first, int end, int
   return sum / (end - first);
 }
 
-/// The largest step of brightness within a few pixels, as a share of that from one end of the profile to the other.
+/// The largest step of brightness within a few pixels, as a share of that from one end of the profile to the other;
+/// 1 where no shadow could be.
 double sharpness(std::vector<double> const& profile, std::size_t strip_px, std::size_t step_px) {
   double before = 0;
   double after = 0;
@@ -281,6 +284,7 @@ double sharpness(std::vector<double> const& profile, std::size_t strip_px, std::
     before += profile[i] / static_cast<double>(strip_px);
     after += profile[profile.size() - 1 - i] / static_cast<double>(strip_px);
   }
+  if (before < kDarkestShadow * after) return 1;
   double const sign = after > before ? 1 : -1;
   double most = 0;
   for (std::size_t i = step_px; i < profile.size(); ++i) {
@@ -289,7 +293,7 @@ double sharpness(std::vector<double> const& profile, std::size_t strip_px, std::
   return most / std::max(1.0, std::abs(after - before));
 }
 
-/// Whether the edge is as sharp as the picture in most places.
+/// Whether the edge is sharp nearly everywhere: in soft edges, noise makes every other place look so.
 bool is_sharp(Side side, Edge const& edge, Picture const& picture, double cell_px) {
   auto const step_px = static_cast<int>(kSharpSide * std::max(picture.width, picture.height)) + 1;
   auto const strip_px = std::max(1, static_cast<int>(cell_px));
@@ -312,7 +316,7 @@ bool is_sharp(Side side, Edge const& edge, Picture const& picture, double cell_p
       ++sharp;
     }
   }
-  return 2 * sharp > seen;
+  return sharp >= kLeastSeen * seen;
 }
 
 using Edges = std::array<std::optional<Edge>, 4>;
