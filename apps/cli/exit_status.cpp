@@ -11,11 +11,11 @@ namespace {
 
 // Only calls that are allowed inside a signal handler.
 void end_with_fault(int /*signal*/) {
-  constexpr std::array kMessage = {
+  constexpr std::array message = {
       "inkflate: this is our own fault; please report what led to it\n"};
   std::size_t size = 0;
-  while (kMessage[0][size] != '\0') ++size;
-  if (::write(STDERR_FILENO, kMessage[0], size) < 0) {
+  while (message[0][size] != '\0') ++size;
+  if (::write(STDERR_FILENO, message[0], size) < 0) {
     // Nowhere left to say it.
   }
   ::_exit(static_cast<int>(ExitStatus::OurOwnFault));

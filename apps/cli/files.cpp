@@ -52,8 +52,8 @@ struct TemporaryFile {
 
 // Never opens a file that exists: someone may have put a link there. The name does not grow with the target's.
 Result<TemporaryFile> make_temporary(std::string const& folder) {
-  constexpr int kTries = 1000;
-  for (int i = 0; i < kTries; ++i) {
+  constexpr int max_tries = 1000;
+  for (int i = 0; i < max_tries; ++i) {
     std::string const path =
         folder + "/.inkflate-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp";
     Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));

@@ -18,8 +18,8 @@ class PointGrid {
     if (box.is_empty()) return;
     origin_ = box.min;
     double const most = 4.0 * static_cast<double>(points.size()) + 16;
-    double const area = (box.width() + side_px) * (box.height() + side_px);
-    side_ = std::max(side_px, std::sqrt(area / most));
+    side_ = side_px;
+    while ((box.width() / side_ + 1) * (box.height() / side_ + 1) > most) side_ *= 2;
     columns_ = static_cast<int>(box.width() / side_) + 1;
     rows_ = static_cast<int>(box.height() / side_) + 1;
     starts_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
@@ -33,16 +33,27 @@ class PointGrid {
   /// Calls visit(index) for at least every point within radius of p; those of a bucket in index order.
   template <typename Visit>
   void near(Vec2 p, double radius, Visit visit) const {
+    any_near(p, radius, [&](int i) {
+      visit(i);
+      return false;
+    });
+  }
+
+  /// The same until holds(index) is true for a point; whether it was for any.
+  template <typename Holds>
+  bool any_near(Vec2 p, double radius, Holds holds) const {
     int const x0 = std::max(0, column(p.x - radius));
     int const x1 = std::min(columns_ - 1, column(p.x + radius));
     int const y0 = std::max(0, row(p.y - radius));
     int const y1 = std::min(rows_ - 1, row(p.y + radius));
-    for (int y = y0; y <= y1; ++y) {
-      if (x0 > x1) continue;
+    for (int y = y0; y <= y1 && x0 <= x1; ++y) {
       // The buckets of a row stand side by side.
-      for (int k = starts_[y * columns_ + x0]; k < starts_[y * columns_ + x1 + 1]; ++k)
-        visit(items_[k]);
+      int const end = starts_[y * columns_ + x1 + 1];
+      for (int k = starts_[y * columns_ + x0]; k < end; ++k) {
+        if (holds(items_[k])) return true;
+      }
     }
+    return false;
   }
 
  private:

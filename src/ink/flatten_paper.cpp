@@ -120,11 +120,11 @@ Mask paper_cells(Grid2<Rgb> const& cells, Mask result) {
   return result;
 }
 
-/// Gives every other cell the mean of its known neighbours, ring by ring.
+/// Gives every other cell the mean of its known neighbours, ring by ring. Where no cell is known at all, all stay as they are.
 void fill_unknown(Grid2<Rgb>& cells, Mask known) {
-  bool is_complete = false;
-  while (!is_complete) {
-    is_complete = true;
+  bool is_growing = true;
+  while (is_growing) {
+    is_growing = false;
     Mask next = known;
     for (int y = 0; y < cells.height; ++y) {
       for (int x = 0; x < cells.width; ++x) {
@@ -138,8 +138,8 @@ void fill_unknown(Grid2<Rgb>& cells, Mask known) {
             ++count;
           }
         }
-        is_complete = false;
         if (count == 0) continue;
+        is_growing = true;
         for (std::size_t c = 0; c < 3; ++c) cells.at(x, y)[c] = sum[c] / count;
         next.at(x, y) = 255;
       }

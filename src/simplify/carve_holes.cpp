@@ -11,13 +11,13 @@
 namespace inkflate {
 namespace {
 
-// Two white regions are one only where the passage between them is wider than this, frame px: gaps below are slips of the pen.
+// Two white regions are one only where the passage between them is wider than this, work px: gaps below are slips of the pen.
 constexpr double kPassage_px = 10;
 
 // Of its part's area: smaller regions are eyes and loops of the pen.
 constexpr double kLeastHoleShare = 0.015;
 
-// What lies this near to a line belongs to it, frame px: the width of a line that was drawn several times.
+// What lies this near to a line belongs to it, work px: the width of a line that was drawn several times.
 constexpr double kBand_px = 16;
 
 // Of a hole's rim may be silhouette.
@@ -51,11 +51,9 @@ class Line {
 
   std::vector<Vec2> const& places() const { return places_; }
   bool is_near(Vec2 p, double distance_px = kBand_px) const {
-    bool found = false;
-    grid_.near(p, distance_px, [&](int i) {
-      found = found || squared_norm(places_[i] - p) <= distance_px * distance_px;
+    return grid_.any_near(p, distance_px, [&](int i) {
+      return squared_norm(places_[i] - p) <= distance_px * distance_px;
     });
-    return found;
   }
 
  private:

@@ -39,8 +39,8 @@ Capacities weigh(Cells const& cells, CutOptions const& options) {
   double const longest_gap =
       options.gap_px ? *options.gap_px : std::numeric_limits<double>::infinity();
   // In lattice units, so that whole numbers are fine enough.
-  double const ink_weight = options.ink_weight * Frame::kLatticePerPx;
-  double const paper_weight = paper_weight_for_gap(options) * Frame::kLatticePerPx;
+  double const ink_weight = options.ink_weight * WorkSpace::kLatticePerPx;
+  double const paper_weight = paper_weight_for_gap(options) * WorkSpace::kLatticePerPx;
   for (int e = 0; e < std::ssize(capacities.arcs); ++e) {
     double const length = cells.length_px(e);
     auto& terminal = capacities.terminals[e / 3];
@@ -59,7 +59,7 @@ Capacities weigh(Cells const& cells, CutOptions const& options) {
   return capacities;
 }
 
-/// From p to the nearest stroke, frame px.
+/// From p to the nearest stroke, work px.
 double clearance(Cells const& cells, Vec2 p) {
   double nearest = std::numeric_limits<double>::infinity();
   for (auto const& sample : cells.samples.points)
@@ -106,7 +106,7 @@ std::vector<int> marked_bay(Cells const& cells, CellLabels const& labels, Vec2 m
 
 double paper_weight_for_gap(CutOptions const& options) {
   if (!options.gap_px) return options.paper_weight;
-  // The outline of a shape some 200 frame px across.
+  // The outline of a shape some 200 work px across.
   constexpr double kPayingInk_px = 600;
   // A right corner is cut when its two sides pull more than its diagonal costs: at a weight of sqrt(2) times that of ink.
   double const least = 1.6 * options.ink_weight;

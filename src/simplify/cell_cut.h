@@ -18,13 +18,13 @@ struct CutOptions {
   double ink_weight = 3;     // > 0; where it runs along ink (thesis 5.4.2)
   double paper_weight = 17;  // >= ink_weight; where it crosses paper (thesis 5.4.2)
   std::optional<double>
-      gap_px;  // > 0, frame px: paper as cheap as ink up to this length, never crossed above it
-  std::vector<Vec2> outside;  // frame px; the cells that hold these are background
-  std::vector<Vec2> inside;   // frame px; the cells that hold these belong to the shape
+      gap_px;  // > 0, work px: paper as cheap as ink up to this length, never crossed above it
+  std::vector<Vec2> outside;  // work px; the cells that hold these are background
+  std::vector<Vec2> inside;   // work px; the cells that hold these belong to the shape
 };
 
 /// What paper costs per px when gaps may be so long: at most paper_weight; for long gaps less, so that a gap of that length pays for
-/// a shape some 200 frame px across. Never so little that corners of 90 degrees are cut.
+/// a shape some 200 work px across. Never so little that corners of 90 degrees are cut.
 double paper_weight_for_gap(CutOptions const& options);
 
 /// Labels the cells at the least energy: ink pulls the cells on both its sides inside, paper resists the outline that crosses it.

@@ -8,7 +8,7 @@ class RegionGrower {
  public:
   RegionGrower(Cells const& cells, std::span<std::uint8_t const> inside, double passage_px)
       : cells_(cells), inside_(inside) {
-    double const passage = passage_px * Frame::kLatticePerPx;
+    double const passage = passage_px * WorkSpace::kLatticePerPx;
     passage_ = static_cast<std::int32_t>(passage * passage);
     result_.of_cell.assign(inside.size(), -1);
     counted_for_.assign(cells.samples.points.size(), -1);

@@ -16,7 +16,7 @@ Cells make_cells(StrokeSamples samples) {
   Cells cells;
   cells.mesh = delaunay(samples.lattice);
   // Rounding to the lattice moves each end of a step by at most half a unit along each axis.
-  double const longest = samples.spacing_px * Frame::kLatticePerPx + 1.5;
+  double const longest = samples.spacing_px * WorkSpace::kLatticePerPx + 1.5;
   cells.longest_ink_squared = static_cast<std::int32_t>(longest * longest);
   cells.squared_lengths.resize(cells.mesh.corners.size());
   for (int e = 0; e < std::ssize(cells.mesh.corners); ++e) {
@@ -30,10 +30,10 @@ Cells make_cells(StrokeSamples samples) {
 
 int find_cell(Cells const& cells, Vec2 p) {
   auto const corner = [&](int e) { return cells.samples.lattice[cells.corner(e)]; };
-  double const far = 2.0 * kLatticeSize / Frame::kLatticePerPx;
+  double const far = 2.0 * kLatticeSize / WorkSpace::kLatticePerPx;
   if (std::abs(p.x) > far || std::abs(p.y) > far)
     return -1;  // off the lattice by more than products may be
-  auto const lattice = Frame::lattice_point(p);
+  auto const lattice = WorkSpace::lattice_point(p);
   for (int t = 0; t < cells.count(); ++t) {
     auto const a = corner(3 * t);
     auto const b = corner(3 * t + 1);

@@ -23,18 +23,18 @@ struct Cells {
   /// The half-edge on the other side; -1 on the hull.
   int twin(int half_edge) const { return mesh.twins[half_edge]; }
   bool is_ink(int half_edge) const { return squared_lengths[half_edge] <= longest_ink_squared; }
-  /// Frame px.
+  /// Work px.
   double length_px(int half_edge) const {
-    return std::sqrt(static_cast<double>(squared_lengths[half_edge])) / Frame::kLatticePerPx;
+    return std::sqrt(static_cast<double>(squared_lengths[half_edge])) / WorkSpace::kLatticePerPx;
   }
-  /// Of a sample, frame px.
+  /// Of a sample, work px.
   Vec2 position(int sample) const { return samples.points[sample].position; }
 };
 
 /// cost    that of delaunay
 Cells make_cells(StrokeSamples samples);
 
-/// The cell that holds p (frame px), its rim included; -1 beyond the hull. O(cells): for marks, of which there are few.
+/// The cell that holds p (work px), its rim included; -1 beyond the hull. O(cells): for marks, of which there are few.
 int find_cell(Cells const& cells, Vec2 p);
 
 }  // namespace inkflate

@@ -12,7 +12,7 @@ namespace {
 // The rim's direction is taken over this many corners to each side: past the zigzag between overdrawn strokes.
 constexpr int kTangentReach = 4;
 
-// Strokes are compared within this distance along the rim, frame px: about four samples of each stroke.
+// Strokes are compared within this distance along the rim, work px: about four samples of each stroke.
 constexpr double kWindow_px = 4;
 
 // cos 25 degrees, squared: a stroke that deviates more runs across the outline, not along it.
@@ -21,7 +21,7 @@ constexpr double kParallel = 0.82;
 // Of the width at a thin place: both sides may move and must not meet.
 constexpr double kMostOfWidth = 1.0 / 3;
 
-// Moves are averaged over about this many corners to each side: some 9 frame px.
+// Moves are averaged over about this many corners to each side: some 9 work px.
 constexpr int kEvenOut = 4;
 
 struct RimGeometry {

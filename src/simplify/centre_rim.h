@@ -7,9 +7,9 @@
 namespace inkflate {
 
 struct CentreOptions {
-  // > 0, frame px; no stroke farther inside than this belongs to the outline.
+  // > 0, work px; no stroke farther inside than this belongs to the outline.
   double reach_px = 16;
-  // > 0, frame px; strokes farther apart than this are two lines, not one that was drawn twice.
+  // > 0, work px; strokes farther apart than this are two lines, not one that was drawn twice.
   double gap_px = 7;
 };
 
@@ -17,7 +17,7 @@ struct CentreOptions {
 /// middle of the strokes that run beside it, and then evens out the moves along the rim.
 ///
 /// in      rim: simple; grid: of the positions of all samples
-/// out     one position per rim corner, frame px. Thin places move at most a third of their width; even so nothing is promised about
+/// out     one position per rim corner, work px. Thin places move at most a third of their width; even so nothing is promised about
 ///         crossings
 /// cost    O(rim corners * samples within reach)
 Contour centre_rim(Rim const& rim, StrokeSamples const& samples, PointGrid const& grid,

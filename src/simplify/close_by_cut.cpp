@@ -12,10 +12,10 @@
 namespace inkflate {
 namespace {
 
-// Distance of samples, frame px. Half of it changes no result that a person sees, twice of it opens small gaps.
+// Distance of samples, work px. Half of it changes no result that a person sees, twice of it opens small gaps.
 constexpr double kSpacing_px = 2.5;
 
-// What is nowhere wider is a line, not a shape, frame px: about three times the width of a pencil line.
+// What is nowhere wider is a line, not a shape, work px: about three times the width of a pencil line.
 constexpr double kWhisker_px = 7;
 
 // A piece with less than this share of the largest one's area is a speck.
@@ -27,6 +27,15 @@ struct Part {
   std::vector<int> holes;
   double area_px2;
 };
+
+/// Whether a hole lies in an outer rim. They may share a corner, so no single one decides.
+bool holds(Contour const& outer, Contour const& hole) {
+  auto const third = hole.size() / 3;
+  int within = 0;
+  for (auto const corner : {hole[0], hole[third], hole[2 * third]})
+    within += contains(outer, corner) ? 1 : 0;
+  return within >= 2;
+}
 
 /// Sorts rims into parts, largest first. A hole belongs to the smallest outer rim around it.
 std::vector<Part> nest(std::vector<Contour> const& contours) {
@@ -45,7 +54,7 @@ std::vector<Part> nest(std::vector<Contour> const& contours) {
   for (int const hole : holes) {
     for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
       if (part->area_px2 > -signed_area(contours[hole]) &&
-          contains(contours[part->outer], contours[hole].front())) {
+          holds(contours[part->outer], contours[hole])) {
         part->holes.push_back(hole);
         break;
       }
@@ -56,11 +65,11 @@ std::vector<Part> nest(std::vector<Contour> const& contours) {
 
 Error cancelled() { return {ErrorCode::Cancelled, "stopped on request"}; }
 
-CutOptions cut_options(SimplifyOptions const& options, Frame const& frame) {
+CutOptions cut_options(SimplifyOptions const& options, WorkSpace const& space) {
   CutOptions cut;
-  if (options.gap_px) cut.gap_px = *options.gap_px * frame.to_frame;
-  for (auto const mark : options.outside) cut.outside.push_back(frame.frame_point(mark));
-  for (auto const mark : options.inside) cut.inside.push_back(frame.frame_point(mark));
+  if (options.gap_px) cut.gap_px = *options.gap_px * space.to_work;
+  for (auto const mark : options.outside) cut.outside.push_back(space.work_point(mark));
+  for (auto const mark : options.inside) cut.inside.push_back(space.work_point(mark));
   return cut;
 }
 
@@ -97,15 +106,15 @@ std::vector<Part> choose_parts(std::vector<Rim> const& rims, StrokeSamples const
 }  // namespace
 
 Result<std::vector<Layer>> close_by_cut(Sketch const& sketch, std::span<int const> chosen,
-                                        Frame const& frame, SimplifyOptions const& options,
+                                        WorkSpace const& space, SimplifyOptions const& options,
                                         Progress const& progress) {
   if (!progress.enter("sample")) return cancelled();
-  auto sampled = sample_strokes(sketch, chosen, frame, kSpacing_px);
+  auto sampled = sample_strokes(sketch, chosen, space, kSpacing_px);
   if (!progress.enter("triangulate")) return cancelled();
   auto const cells = make_cells(std::move(sampled));
   auto const& samples = cells.samples;
   if (!progress.enter("cut")) return cancelled();
-  auto const cut = cut_options(options, frame);
+  auto const cut = cut_options(options, space);
   auto inside = label_cells(cells, cut);
   if (!inside) return inside.error();
   if (options.holes == Holes::Keep) {
@@ -133,7 +142,7 @@ Result<std::vector<Layer>> close_by_cut(Sketch const& sketch, std::span<int cons
   for (auto const& rim : rims) centred.push_back(centre_rim(rim, samples, grid));
 
   if (!progress.enter("fit")) return cancelled();
-  auto outlines = fit_rims(rims, centred, samples, frame, options.smooth);
+  auto outlines = fit_rims(rims, centred, samples, space, options.smooth);
   std::vector<Layer> layers;
   for (std::size_t next = 0; auto const& part : parts) {
     Layer layer;

@@ -12,20 +12,20 @@
 namespace inkflate {
 namespace {
 
-// At smooth = 1: the curve may leave the centred rim by so much (frame px), which is first averaged over so many corners.
+// At smooth = 1: the curve may leave the centred rim by so much (work px), which is first averaged over so many corners.
 constexpr double kTolerance_px = 2.0;
 constexpr double kLeastTolerance_px = 0.2;
 constexpr double kAverage = 4;
 
-// The sides of a corner are taken as lines from here to there, frame px: near the corner, overdrawn strokes overshoot or fall short.
+// The sides of a corner are taken as lines from here to there, work px: near the corner, overdrawn strokes overshoot or fall short.
 constexpr double kSideFrom_px = 5;
 constexpr double kSideTo_px = 18;
-// No corner moves farther than this, frame px.
+// No corner moves farther than this, work px.
 constexpr double kMostCornerMove_px = 12;
 // Sides that turn by less than 25 degrees do not say where they meet: |sin|.
 constexpr double kLeastSideSine = 0.42;
 
-// The direction at the end of a chain is taken over this length, frame px: over less, one sample that is a little off tilts the curve.
+// The direction at the end of a chain is taken over this length, work px: over less, one sample that is a little off tilts the curve.
 constexpr double kEndReach_px = 12;
 // A closing flows on only if it turns by less than 55 degrees at either end: cos.
 constexpr double kLeastFlow = 0.57;
@@ -206,11 +206,6 @@ std::optional<Cubic> flowing_closing(Polyline const& before, Polyline const& gap
   return Cubic{{from, from + leaving * handle, to - arriving * handle, to}};
 }
 
-bool is_closed(std::vector<ChainPoints> const& chains) {
-  return chains.size() == 1 && chains[0].points.size() > 2 &&
-         chains[0].points.front() == chains[0].points.back();
-}
-
 /// Smooths a chain and gives the tangents at its ends.
 std::vector<FittedCubic> fit_ink(ChainPoints& chain, bool closed, FitOptions const& options) {
   auto& points = chain.points;
@@ -241,10 +236,11 @@ std::vector<FittedCubic> fit_ink(ChainPoints& chain, bool closed, FitOptions con
 
 Outline fit_rim(Rim const& rim, Contour const& positions, StrokeSamples const& samples,
                 FitOptions const& options) {
+  auto const cut = cut_rim(rim, positions);
   std::vector<ChainPoints> chains;
-  for (auto const& chain : cut_rim(rim, positions)) chains.push_back(points_of(chain, positions));
+  for (auto const& chain : cut) chains.push_back(points_of(chain, positions));
   int const count = static_cast<int>(std::ssize(chains));
-  bool const closed = is_closed(chains);
+  bool const closed = cut[0].is_ring && chains[0].points.size() > 2;
   for (int c = 0; c < count && count > 1; ++c)
     sharpen_corner(chains[(c + count - 1) % count], chains[c]);
   std::vector<std::vector<FittedCubic>> fitted(chains.size());

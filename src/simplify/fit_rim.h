@@ -15,7 +15,7 @@ struct FitOptions {
   ClosingShape closing = ClosingShape::Flowing;
 };
 
-/// Turns a rim into an outline of cubics, in frame px: corners stay, all else becomes smooth, a piece never spans two kinds.
+/// Turns a rim into an outline of cubics, in work px: corners stay, all else becomes smooth, a piece never spans two kinds.
 ///
 /// in      rim, with one position per corner of it (centre_rim's, or the samples' own)
 /// out     a closed chain of cubics with the rim's kinds and the strokes that drew it. Nothing is promised about crossings

@@ -8,7 +8,7 @@
 namespace inkflate {
 namespace {
 
-// Outlines are tested for crossings as polygons this close to the curves, frame px.
+// Outlines are tested for crossings as polygons this close to the curves, work px.
 constexpr double kTestTolerance_px = 0.01;
 
 // Each way of drawing an outline is safer than the one before; the last one is the rim itself, which crosses nothing.
@@ -29,9 +29,9 @@ Outline draw(Rim const& rim, Contour const& centred, StrokeSamples const& sample
   return straight_outline(rim, samples);
 }
 
-Outline on_canvas(Outline outline, Frame const& frame) {
+Outline on_canvas(Outline outline, WorkSpace const& space) {
   for (auto& piece : outline.pieces) {
-    for (auto& control : piece.curve.control) control = frame.canvas_point(control);
+    for (auto& control : piece.curve.control) control = space.canvas_point(control);
   }
   return outline;
 }
@@ -39,13 +39,13 @@ Outline on_canvas(Outline outline, Frame const& frame) {
 }  // namespace
 
 std::vector<Outline> fit_rims(std::vector<Rim> const& rims, std::vector<Contour> const& centred,
-                              StrokeSamples const& samples, Frame const& frame, double smooth) {
+                              StrokeSamples const& samples, WorkSpace const& space, double smooth) {
   std::vector<Care> cares(rims.size(), Care::Full);
   std::vector<Outline> outlines(rims.size());
   std::vector<Contour> polygons(rims.size());
-  double const tolerance = kTestTolerance_px * frame.to_canvas;
+  double const tolerance = kTestTolerance_px * space.to_canvas;
   auto const redraw = [&](int r) {
-    outlines[r] = on_canvas(draw(rims[r], centred[r], samples, smooth, cares[r]), frame);
+    outlines[r] = on_canvas(draw(rims[r], centred[r], samples, smooth, cares[r]), space);
     polygons[r] = flatten(outlines[r], tolerance);
   };
   for (int r = 0; r < std::ssize(rims); ++r) redraw(r);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 #include "geometry/crossings.h"
 #include "geometry/point_grid.h"
@@ -18,6 +17,9 @@ constexpr double kLeastWalk = 2.5;
 
 // The tip and the knots of a whisker may be wider; together no more than this many widths of walk.
 constexpr double kMostThick = 5;
+
+// Crossing cuts are taken back in rounds of this many.
+constexpr int kMostCrossings = 100;
 
 /// The rim from one corner forward to another.
 struct Stretch {
@@ -124,17 +126,18 @@ bool is_cut(std::vector<int> const& kept, int k, int count) {
   return kept[(k + 1) % std::ssize(kept)] != (kept[k] + 1) % count;
 }
 
-/// A corner where a cut starts that crosses other edges: a foot may be jagged.
-std::optional<int> crossing_cut(Contour const& points, std::vector<int> const& kept) {
+/// The corners where cuts start that cross other edges: a foot may be jagged.
+std::vector<int> crossing_cuts(Contour const& points, std::vector<int> const& kept) {
   Contour contour;
   contour.reserve(kept.size());
   for (int const i : kept) contour.push_back(points[i]);
-  for (auto const& crossing : find_crossings(std::span(&contour, 1), 1)) {
+  std::vector<int> found;
+  for (auto const& crossing : find_crossings(std::span(&contour, 1), kMostCrossings)) {
     for (int const edge : {crossing.edge_a, crossing.edge_b}) {
-      if (is_cut(kept, edge, static_cast<int>(std::ssize(points)))) return kept[edge];
+      if (is_cut(kept, edge, static_cast<int>(std::ssize(points)))) found.push_back(kept[edge]);
     }
   }
-  return std::nullopt;
+  return found;
 }
 
 }  // namespace
@@ -147,8 +150,10 @@ Rim prune_whiskers(Rim const& rim, StrokeSamples const& samples, double width_px
   int const count = static_cast<int>(std::ssize(rim));
   auto stretches = finder.find();
   auto kept = kept_corners(stretches, count);
-  for (auto from = crossing_cut(points, kept); from; from = crossing_cut(points, kept)) {
-    std::erase_if(stretches, [&](Stretch const& stretch) { return stretch.from == *from; });
+  for (auto bad = crossing_cuts(points, kept); !bad.empty(); bad = crossing_cuts(points, kept)) {
+    std::erase_if(stretches, [&](Stretch const& stretch) {
+      return std::find(bad.begin(), bad.end(), stretch.from) != bad.end();
+    });
     kept = kept_corners(stretches, count);
   }
   if (kept.size() < 3) return {};

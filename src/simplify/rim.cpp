@@ -95,7 +95,7 @@ Contour positions(Rim const& rim, StrokeSamples const& samples) {
   Contour contour;
   contour.reserve(rim.size());
   for (auto const& point : rim)
-    contour.push_back(Frame::lattice_position(samples.lattice[point.sample]));
+    contour.push_back(WorkSpace::lattice_position(samples.lattice[point.sample]));
   return contour;
 }
 

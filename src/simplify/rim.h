@@ -25,7 +25,7 @@ using Rim = std::vector<RimPoint>;
 /// cost    O(cells)
 std::vector<Rim> trace_rims(Sketch const& sketch, Cells const& cells, CellLabels const& inside);
 
-/// The corner positions, frame px: as rounded to the lattice, for thin places may fold where the samples themselves are.
+/// The corner positions, work px: as rounded to the lattice, for thin places may fold where the samples themselves are.
 Contour positions(Rim const& rim, StrokeSamples const& samples);
 
 }  // namespace inkflate

@@ -8,17 +8,17 @@
 namespace inkflate {
 namespace {
 
-// A run shorter than this says nothing of its own, frame px: about the width of a pencil line that was drawn three times.
+// A run shorter than this says nothing of its own, work px: about the width of a pencil line that was drawn three times.
 constexpr double kLeastRun_px = 7;
 
-// A corner is a turn of more than 50 degrees between chords of this length, frame px ...
+// A corner is a turn of more than 50 degrees between chords of this length, work px ...
 constexpr double kChord_px = 14;
 constexpr double kCornerCosine = 0.64;
 // ... most of which happens within shorter chords: else it is a bend. A circle turns by half there.
 constexpr double kShortChord_px = 7;
 constexpr double kShortCosine = 0.80;
 
-// A jump from one of several overdrawn strokes to the next, frame px: no longer than this along the rim, and no other corner nearer
+// A jump from one of several overdrawn strokes to the next, work px: no longer than this along the rim, and no other corner nearer
 // than that, or it is a feature of the drawing: a tooth, a step.
 constexpr double kJump_px = 16;
 constexpr double kAlone_px = 28;
@@ -204,11 +204,11 @@ std::vector<RimChain> cut_rim(Rim const& rim, Contour const& positions) {
   };
   int first = 0;
   while (first < count && !is_break(first)) ++first;
-  if (first == count) return {{0, count, kinds[0]}};
+  if (first == count) return {{0, count, kinds[0], true}};
   std::vector<RimChain> chains;
   for (int k = 0; k < count; ++k) {
     int const i = (first + k) % count;
-    if (is_break(i)) chains.push_back({i, 0, kinds[i]});
+    if (is_break(i)) chains.push_back({i, 0, kinds[i], false});
     ++chains.back().size;
   }
   return chains;

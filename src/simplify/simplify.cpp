@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLargestCoordinate_px = 1e6;
 
-// Distance of the samples by which strokes are given to layers, frame px.
+// Distance of the samples by which strokes are given to layers, work px.
 constexpr double kSortSpacing_px = 4;
 
 std::optional<Error> check(SimplifyOptions const& options) {
@@ -39,6 +39,10 @@ std::optional<Error> check(SimplifyOptions const& options) {
 
 std::optional<Error> check(Sketch const& sketch) {
   for (int i = 0; i < std::ssize(sketch.strokes); ++i) {
+    if (sketch.strokes[i].group >= std::ssize(sketch.groups)) {
+      return Error{ErrorCode::BadInput,
+                   "stroke " + std::to_string(i) + " is in a group that does not exist", i};
+    }
     for (auto const& sample : sketch.strokes[i].samples) {
       auto const p = sample.position;
       if (std::abs(p.x) <= kLargestCoordinate_px && std::abs(p.y) <= kLargestCoordinate_px)
@@ -52,12 +56,12 @@ std::optional<Error> check(Sketch const& sketch) {
   return std::nullopt;
 }
 
-Frame frame_of(Sketch const& sketch) {
+WorkSpace space_of(Sketch const& sketch) {
   Rect box;
   for (auto const& stroke : sketch.strokes) {
     for (auto const& sample : stroke.samples) box.include(sample.position);
   }
-  return Frame::around(box);
+  return WorkSpace::around(box);
 }
 
 /// The strokes that are closed together.
@@ -78,7 +82,7 @@ std::vector<Group> groups_of(Sketch const& sketch, Parts parts) {
 }
 
 Result<std::vector<Layer>> close(Sketch const& sketch, std::span<int const> chosen,
-                                 Frame const& frame, SimplifyOptions const& options,
+                                 WorkSpace const& space, SimplifyOptions const& options,
                                  Progress const& progress) {
   if (options.method == SimplifyMethod::Grid)
     return close_by_grid(sketch, chosen, options, progress);
@@ -86,7 +90,7 @@ Result<std::vector<Layer>> close(Sketch const& sketch, std::span<int const> chos
   std::vector<int> strong;
   std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(strong),
                [&](int s) { return !is_faint[s]; });
-  return close_by_cut(sketch, strong, frame, options, progress);
+  return close_by_cut(sketch, strong, space, options, progress);
 }
 
 }  // namespace
@@ -95,14 +99,14 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
                          Progress const& progress) {
   if (auto const error = check(options)) return *error;
   if (auto const error = check(sketch)) return *error;
-  auto const frame = frame_of(sketch);
+  auto const space = space_of(sketch);
   Drawing drawing = {sketch, {}, {}};
   for (auto const& group : groups_of(sketch, options.parts)) {
-    auto layers = close(sketch, group.strokes, frame, options, progress);
+    auto layers = close(sketch, group.strokes, space, options, progress);
     if (!layers) return layers.error();
     if (!progress.enter("sort")) return Error{ErrorCode::Cancelled, "stopped on request"};
-    auto const samples = sample_strokes(sketch, group.strokes, frame, kSortSpacing_px);
-    auto const stray = sort_strokes(samples, frame, *layers);
+    auto const samples = sample_strokes(sketch, group.strokes, space, kSortSpacing_px);
+    auto const stray = sort_strokes(samples, space, *layers);
     drawing.stray.insert(drawing.stray.end(), stray.begin(), stray.end());
     for (auto& layer : *layers) {
       layer.name =

@@ -9,14 +9,14 @@
 namespace inkflate {
 namespace {
 
-// A sample draws an outline that runs within this distance, frame px, and within 30 degrees of its direction: cos.
+// A sample draws an outline that runs within this distance, work px, and within 30 degrees of its direction: cos.
 constexpr double kBand_px = 9;
 constexpr double kParallel = 0.866;
 
 // A stroke draws an outline when this share of its samples does.
 constexpr double kOutlineShare = 0.4;
 
-// Outlines are looked at as points at most this far apart, frame px.
+// Outlines are looked at as points at most this far apart, work px.
 constexpr double kStep_px = 4;
 
 struct OutlinePoint {
@@ -26,18 +26,18 @@ struct OutlinePoint {
 
 /// The outlines of all layers as points with directions.
 struct OutlinePoints {
-  std::vector<Vec2> positions;  // frame px
+  std::vector<Vec2> positions;  // work px
   std::vector<OutlinePoint> points;
 };
 
-OutlinePoints sample_outlines(std::vector<Layer> const& layers, Frame const& frame) {
+OutlinePoints sample_outlines(std::vector<Layer> const& layers, WorkSpace const& space) {
   OutlinePoints result;
   for (int layer = 0; layer < std::ssize(layers); ++layer) {
     for (auto const& outline : layers[layer].outlines) {
-      auto const contour = flatten(outline, 0.5 * frame.to_canvas);
+      auto const contour = flatten(outline, 0.5 * space.to_canvas);
       for (int i = 0; i < std::ssize(contour); ++i) {
-        auto const a = frame.frame_point(contour[i]);
-        auto const b = frame.frame_point(contour[(i + 1) % std::ssize(contour)]);
+        auto const a = space.work_point(contour[i]);
+        auto const b = space.work_point(contour[(i + 1) % std::ssize(contour)]);
         int const steps = static_cast<int>(std::ceil(distance(a, b) / kStep_px));
         for (int k = 0; k < steps; ++k) {
           result.positions.push_back(lerp(a, b, static_cast<double>(k) / steps));
@@ -88,15 +88,15 @@ int largest(std::vector<int> const& counts) {
 
 }  // namespace
 
-std::vector<int> sort_strokes(StrokeSamples const& samples, Frame const& frame,
+std::vector<int> sort_strokes(StrokeSamples const& samples, WorkSpace const& space,
                               std::vector<Layer>& layers) {
   std::vector<int> stray;
-  auto const outlines = sample_outlines(layers, frame);
+  auto const outlines = sample_outlines(layers, space);
   PointGrid const grid(outlines.positions, kBand_px);
   std::vector<Contour> outers;
   for (auto const& layer : layers) {
-    auto contour = flatten(layer.outlines.front(), 0.5 * frame.to_canvas);
-    for (auto& p : contour) p = frame.frame_point(p);
+    auto contour = flatten(layer.outlines.front(), 0.5 * space.to_canvas);
+    for (auto& p : contour) p = space.work_point(p);
     outers.push_back(std::move(contour));
   }
   auto const& points = samples.points;

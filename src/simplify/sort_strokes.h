@@ -15,7 +15,7 @@ namespace inkflate {
 /// in      layers: with outlines in canvas px; samples: of the strokes to sort
 /// out     fills strokes and details of the layers, in drawing order; returns the stray strokes
 /// cost    O((samples + outline points) + strokes * outline points) with a small factor
-std::vector<int> sort_strokes(StrokeSamples const& samples, Frame const& frame,
+std::vector<int> sort_strokes(StrokeSamples const& samples, WorkSpace const& space,
                               std::vector<Layer>& layers);
 
 }  // namespace inkflate

@@ -13,19 +13,22 @@ constexpr double kMostSamples = 300'000;
 // The direction of a stroke is taken over this many samples to each side: enough to look past the pen's jitter.
 constexpr int kDirectionReach = 2;
 
+/// Samples of a stroke that follow one another at one place.
 struct Vertex {
-  Vec2 position;  // frame px
-  double along;
+  Vec2 position;  // work px
+  double first;   // index of the first of them
+  double last;
 };
 
-std::vector<Vertex> vertices_of(Stroke const& stroke, Frame const& frame) {
+std::vector<Vertex> vertices_of(Stroke const& stroke, WorkSpace const& space) {
   std::vector<Vertex> vertices;
   vertices.reserve(stroke.samples.size());
   for (int i = 0; i < std::ssize(stroke.samples); ++i) {
-    auto const p = frame.frame_point(stroke.samples[i].position);
+    auto const p = space.work_point(stroke.samples[i].position);
     if (vertices.empty() || !(vertices.back().position == p)) {
-      vertices.push_back({p, static_cast<double>(i)});
+      vertices.push_back({p, static_cast<double>(i), static_cast<double>(i)});
     }
+    vertices.back().last = i;
   }
   return vertices;
 }
@@ -63,9 +66,9 @@ void append_piece(std::vector<Vertex> const& vertices, int first, int last, doub
     auto const& a = vertices[segment];
     auto const& b = vertices[segment + 1];
     points.push_back(
-        {lerp(a.position, b.position, t), {}, a.along + (b.along - a.along) * t, stroke});
+        {lerp(a.position, b.position, t), {}, a.last + (b.first - a.last) * t, stroke});
   }
-  points.push_back({vertices[last].position, {}, vertices[last].along, stroke});
+  points.push_back({vertices[last].position, {}, vertices[last].first, stroke});
 }
 
 void set_directions(std::span<StrokeSample> points) {
@@ -80,7 +83,7 @@ void set_directions(std::span<StrokeSample> points) {
 void append_stroke(std::vector<Vertex> const& vertices, double spacing_px, int stroke,
                    std::vector<StrokeSample>& points) {
   auto const first_point = points.size();
-  points.push_back({vertices[0].position, {}, vertices[0].along, stroke});
+  points.push_back({vertices[0].position, {}, vertices[0].first, stroke});
   int first = 0;
   int const last = static_cast<int>(std::ssize(vertices)) - 1;
   for (int i = 1; i <= last; ++i) {
@@ -95,25 +98,25 @@ void append_stroke(std::vector<Vertex> const& vertices, double spacing_px, int s
 
 }  // namespace
 
-StrokeSamples sample_strokes(Sketch const& sketch, std::span<int const> chosen, Frame const& frame,
-                             double spacing_px) {
+StrokeSamples sample_strokes(Sketch const& sketch, std::span<int const> chosen,
+                             WorkSpace const& space, double spacing_px) {
   double total_px = 0;
   for (int const s : chosen) {
     auto const& samples = sketch.strokes[s].samples;
     for (std::size_t i = 1; i < samples.size(); ++i) {
-      total_px += distance(samples[i - 1].position, samples[i].position) * frame.to_frame;
+      total_px += distance(samples[i - 1].position, samples[i].position) * space.to_work;
     }
   }
   StrokeSamples result;
   result.spacing_px = std::max(spacing_px, total_px / kMostSamples);
   result.points.reserve(static_cast<std::size_t>(total_px / result.spacing_px) + 2 * chosen.size());
   for (int const s : chosen) {
-    auto const vertices = vertices_of(sketch.strokes[s], frame);
+    auto const vertices = vertices_of(sketch.strokes[s], space);
     if (!vertices.empty()) append_stroke(vertices, result.spacing_px, s, result.points);
   }
   result.lattice.reserve(result.points.size());
   for (auto const& point : result.points)
-    result.lattice.push_back(Frame::lattice_point(point.position));
+    result.lattice.push_back(WorkSpace::lattice_point(point.position));
   return result;
 }
 

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "model/stroke.h"
-#include "simplify/frame.h"
+#include "simplify/work_space.h"
 
 namespace inkflate {
 
 /// A point of a stroke after resampling.
 struct StrokeSample {
-  Vec2 position;     // frame px
+  Vec2 position;     // work px
   Vec2 direction;    // of the stroke, length 1; zero for a dot
   double along = 0;  // where on the stroke: index of its sample + fraction
   int stroke = 0;    // index into Sketch::strokes
@@ -21,7 +21,7 @@ struct StrokeSample {
 struct StrokeSamples {
   std::vector<StrokeSample> points;   // stroke by stroke, in stroke order
   std::vector<LatticePoint> lattice;  // the same points, rounded
-  double spacing_px = 0;  // consecutive points of a stroke are at most this far apart, frame px
+  double spacing_px = 0;  // consecutive points of a stroke are at most this far apart, work px
 };
 
 /// Resamples strokes so that no step is longer than spacing_px. Corners between longer steps (polygons, say) stay.
@@ -29,7 +29,7 @@ struct StrokeSamples {
 /// in      chosen: the strokes to take, indices into sketch.strokes
 /// out     at least one sample per stroke that has any. Above kMostSamples in all the spacing grows with the sketch
 /// cost    O(samples in + samples out)
-StrokeSamples sample_strokes(Sketch const& sketch, std::span<int const> chosen, Frame const& frame,
-                             double spacing_px);
+StrokeSamples sample_strokes(Sketch const& sketch, std::span<int const> chosen,
+                             WorkSpace const& space, double spacing_px);
 
 }  // namespace inkflate

@@ -13,18 +13,18 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_written_by_people(std::string const& path) {
-  static constexpr std::string_view kEndings[] = {".h",  ".cpp", ".cmake", ".txt", ".json",
-                                                  ".py", ".sh",  ".md",    "/run", "/test"};
+  static constexpr std::string_view endings[] = {".h",  ".cpp", ".cmake", ".txt", ".json",
+                                                 ".py", ".sh",  ".md",    "/run", "/test"};
   std::string const rooted = "/" + path;
-  return std::any_of(std::begin(kEndings), std::end(kEndings),
+  return std::any_of(std::begin(endings), std::end(endings),
                      [&](std::string_view ending) { return rooted.ends_with(ending); });
 }
 
 bool is_skipped_folder(fs::path const& folder) {
-  static constexpr std::string_view kSkipped[] = {".git",         "build", "out",
-                                                  "node_modules", "data",  "corpus"};
+  static constexpr std::string_view skipped[] = {".git",         "build", "out",
+                                                 "node_modules", "data",  "corpus"};
   std::string const name = folder.filename().string();
-  return std::find(std::begin(kSkipped), std::end(kSkipped), name) != std::end(kSkipped);
+  return std::find(std::begin(skipped), std::end(skipped), name) != std::end(skipped);
 }
 
 }  // namespace

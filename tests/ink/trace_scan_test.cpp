@@ -8,7 +8,9 @@
 
 #include "base/hash.h"
 #include "geometry/polyline.h"
+#include "io/read_picture.h"
 #include "render/rasterise.h"
+#include "support/files.h"
 #include "support/paper.h"
 
 namespace inkflate {
@@ -216,6 +218,13 @@ TEST(TraceScan, AnEmptyPageIsRefused) {
     ASSERT_FALSE(sketch.has_value());
     EXPECT_EQ(sketch.error().code, ErrorCode::NothingThere);
   }
+}
+
+TEST(TraceScan, APictureWithoutAnyPaperComesToAnEnd) {
+  auto const picture = read_picture(test::data_file("pictures/no_paper.png"));
+  ASSERT_TRUE(picture.has_value());
+  auto const sketch = trace_scan(*picture);
+  EXPECT_TRUE(sketch.has_value() || sketch.error().code == ErrorCode::NothingThere);
 }
 
 TEST(TraceScan, BitsAreTheSameOnEveryMachine) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simplify/simplify.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -13,6 +11,7 @@
 #include "io/read_svg.h"
 #include "io/write_svg.h"
 #include "pipeline/place_sketch.h"
+#include "simplify/simplify.h"
 #include "support/sketches.h"
 
 namespace inkflate {

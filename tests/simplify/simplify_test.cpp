@@ -128,6 +128,26 @@ TEST(Simplify, NoiseOutsideAndScribblesInsideDoNotDisturb) {
   EXPECT_EQ(drawing->layers[0].details.size(), 30U);
 }
 
+TEST(Simplify, FaintConstructionLinesCloseNothing) {
+  // A ground line under two legs: in ink it would close the space between them.
+  std::vector<Stroke> strokes = {line_stroke({{300, 800},
+                                              {300, 200},
+                                              {700, 200},
+                                              {700, 800},
+                                              {640, 800},
+                                              {640, 400},
+                                              {360, 400},
+                                              {360, 800},
+                                              {300, 800}}),
+                                 line_stroke({{250, 803}, {750, 803}})};
+  auto const inked = only_layer(sketch_of(strokes), {.holes = Holes::Fill});
+  strokes[1].colour = {170, 190, 220};
+  auto const pencilled = only_layer(sketch_of(strokes), {.holes = Holes::Fill});
+  EXPECT_NEAR(area(inked.outlines[0]), 400 * 600, 3000);
+  EXPECT_NEAR(area(pencilled.outlines[0]), 400 * 600 - 280 * 400, 3000);
+  EXPECT_EQ(pencilled.strokes, std::vector<int>{0});
+}
+
 TEST(Simplify, LooseStrokesAreKeptAsDetails) {
   auto const layer =
       only_layer(sketch_of({circle_stroke({500, 600}, 250), line_stroke({{420, 365}, {340, 150}}),
@@ -154,22 +174,30 @@ TEST(Simplify, EveryDrawnPieceKnowsItsStroke) {
   EXPECT_GT(covered, 0.9 * static_cast<double>(layer.outlines[0].pieces.size()));
 }
 
+/// A block with a deep bay from its top; one stroke.
+Sketch bay_sketch() {
+  return sketch_of({line_stroke({{460, 200},
+                                 {460, 700},
+                                 {540, 700},
+                                 {540, 200},
+                                 {900, 200},
+                                 {900, 900},
+                                 {100, 900},
+                                 {100, 200},
+                                 {460, 200}})});
+}
+
 TEST(Simplify, AnOutsideMarkOpensABay) {
   // A deep bay with a narrow mouth is filled; one click in it opens it.
-  Sketch const bay = sketch_of({line_stroke({{460, 200},
-                                             {460, 700},
-                                             {540, 700},
-                                             {540, 200},
-                                             {900, 200},
-                                             {900, 900},
-                                             {100, 900},
-                                             {100, 200},
-                                             {460, 200}})});
-  double const filled = area(only_layer(bay, {.holes = Holes::Fill}).outlines[0]);
+  double const filled = area(only_layer(bay_sketch(), {.holes = Holes::Fill}).outlines[0]);
   double const opened =
-      area(only_layer(bay, {.outside = {{500, 450}}, .holes = Holes::Fill}).outlines[0]);
+      area(only_layer(bay_sketch(), {.outside = {{500, 450}}, .holes = Holes::Fill}).outlines[0]);
   EXPECT_NEAR(filled, 800 * 700, 3000);
   EXPECT_NEAR(filled - opened, 80 * 500, 3000);
+}
+
+TEST(Simplify, ABayOfTheSilhouettesOwnStrokesStaysOpen) {
+  EXPECT_NEAR(area(only_layer(bay_sketch()).outlines[0]), 800 * 700 - 80 * 500, 3000);
 }
 
 TEST(Simplify, AnInsideMarkFillsWhatWouldStayOpen) {
@@ -244,6 +272,9 @@ TEST(Simplify, BadInputIsRefused) {
   Sketch const good = sketch_of({circle_stroke({500, 500}, 300)});
   EXPECT_EQ(refusal(sketch_of({line_stroke({{nan, 0}, {1, 1}})})), ErrorCode::BadInput);
   EXPECT_EQ(refusal(sketch_of({line_stroke({{1e7, 0}, {1, 1}})})), ErrorCode::BadInput);
+  Sketch lost = good;
+  lost.strokes[0].group = 0;
+  EXPECT_EQ(refusal(lost, {.parts = Parts::Groups}), ErrorCode::BadInput);
   EXPECT_EQ(refusal(good, {.gap_px = 0}), ErrorCode::BadOption);
   EXPECT_EQ(refusal(good, {.gap_px = nan}), ErrorCode::BadOption);
   EXPECT_EQ(refusal(good, {.smooth = 1.5}), ErrorCode::BadOption);

@@ -17,16 +17,16 @@ inline std::vector<int> all_strokes(Sketch const& sketch) {
   return all;
 }
 
-inline Frame frame_of(Sketch const& sketch) {
+inline WorkSpace space_of(Sketch const& sketch) {
   Rect box;
   for (auto const& stroke : sketch.strokes) {
     for (auto const& sample : stroke.samples) box.include(sample.position);
   }
-  return Frame::around(box);
+  return WorkSpace::around(box);
 }
 
 inline StrokeSamples samples_of(Sketch const& sketch, double spacing_px = 2.2) {
-  return sample_strokes(sketch, all_strokes(sketch), frame_of(sketch), spacing_px);
+  return sample_strokes(sketch, all_strokes(sketch), space_of(sketch), spacing_px);
 }
 
 inline Cells cells_of(Sketch const& sketch, double spacing_px = 2.2) {
@@ -38,7 +38,7 @@ inline double cell_area(Cells const& cells, int t) {
   auto const b = cells.samples.lattice[cells.corner(3 * t + 1)];
   auto const c = cells.samples.lattice[cells.corner(3 * t + 2)];
   return static_cast<double>(orientation(a, b, c)) /
-         (2.0 * Frame::kLatticePerPx * Frame::kLatticePerPx);
+         (2.0 * WorkSpace::kLatticePerPx * WorkSpace::kLatticePerPx);
 }
 
 inline double inside_area(Cells const& cells, CellLabels const& inside) {
