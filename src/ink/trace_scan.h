@@ -22,7 +22,8 @@ struct ScanOptions {
 /// Turns a scanned or photographed drawing into strokes along the middle of its lines.
 ///
 /// in      picture: dark lines on light paper (uneven light is fine), or light lines on a dark ground; clear
-///         pixels count as white paper
+///         pixels count as white paper. A table in sight around the sheet is left out, and 1.5 % of the picture's
+///         longer side within the sheet's edge
 /// out     strokes in px of the picture, joined through crossings in the straightest way; each with one width and
 ///         colour (that of the ink in even light); help lines by their colour. A solid area comes as the closed line
 ///         around it: its last sample repeats the first. Lines drawn on a dark ground come with their lightness
