@@ -104,13 +104,38 @@ SvgWalk::Context SvgWalk::enter_root() {
   }
   context.style =
       cascade({}, declarations_of(root, tree_.style_sheet), viewport_diagonal(context.viewport));
-  for (int i = 1; i < tree_.nodes[0].end; i = tree_.nodes[static_cast<std::size_t>(i)].end) {
-    auto const child = tree_.element(i);
-    bool const is_named = child.find("id") || child.find(kLabel) || child[kLayerMode] == "layer";
-    bool const is_help = starts_with_help(child.find(kLabel).value_or(child["id"]));
-    if (child.name() == "g" && is_named && !is_help) only_named_groups_ = true;
-  }
+  find_group_level();
   return context;
+}
+
+std::vector<int> SvgWalk::children(int node) const {
+  std::vector<int> found;
+  for (int i = node + 1; i < tree_.nodes[static_cast<std::size_t>(node)].end;
+       i = tree_.nodes[static_cast<std::size_t>(i)].end) {
+    auto const name = tree_.element(i).name();
+    if (is_container(name) || is_shape(name) || name == "use" || name == "svg") found.push_back(i);
+  }
+  return found;
+}
+
+/// Candidate layers are the groups below the root. A group around all of them only carries their common style: then they are the ones
+/// in it.
+void SvgWalk::find_group_level() {
+  auto const is_group = [&](int node) { return tree_.element(node).name() == "g"; };
+  auto level = children(0);
+  while (level.size() == 1 && is_group(level[0])) {
+    auto const below = children(level[0]);
+    if (std::count_if(below.begin(), below.end(), is_group) < 2) break;
+    ++group_depth_;
+    level = below;
+  }
+  for (int const node : level) {
+    auto const element = tree_.element(node);
+    bool const is_named =
+        element.find("id") || element.find(kLabel) || element[kLayerMode] == "layer";
+    bool const is_help = starts_with_help(element.find(kLabel).value_or(element["id"]));
+    if (is_group(node) && is_named && !is_help) only_named_groups_ = true;
+  }
 }
 
 void SvgWalk::visit(int node, Frame const& frame) {
@@ -151,7 +176,7 @@ void SvgWalk::enter_group(int node, SvgElement const& element, Context& context)
   if (label) context.is_help = starts_with_help(*label) || has_help_class(element["class"]);
   if (starts_with_help(element["id"])) context.is_help = context.is_help || !label;
   bool const is_named = label || element.find("id") || element[kLayerMode] == "layer";
-  if (frames_.size() == 1 && (is_named || !only_named_groups_) && !context.is_help) {
+  if (frames_.size() == group_depth_ && (is_named || !only_named_groups_) && !context.is_help) {
     context.group_node = node;
   }
 }

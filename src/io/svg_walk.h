@@ -59,6 +59,8 @@ class SvgWalk {
   };
 
   Context enter_root();
+  std::vector<int> children(int node) const;
+  void find_group_level();
   void visit(int node, Frame const& frame);
   Context child_context(int node, SvgElement const& element, Context const& parent);
   void enter_group(int node, SvgElement const& element, Context& context);
@@ -78,6 +80,7 @@ class SvgWalk {
   std::vector<Frame> frames_;
   std::vector<int> open_uses_;  // the use elements being expanded, outermost first
   std::map<int, int> group_of_node_;
+  std::size_t group_depth_ = 1;  // how many elements are open around a candidate layer
   bool only_named_groups_ = false;
   bool has_canvas_ = false;
   int sample_count_ = 0;

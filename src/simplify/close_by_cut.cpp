@@ -99,7 +99,7 @@ std::vector<Part> choose_parts(std::vector<Rim> const& rims, StrokeSamples const
   std::erase_if(parts, [&](Part const& part) {
     return part.area_px2 < least || mean_width(contours[part.outer]) < kWhisker_px;
   });
-  if (wanted != Parts::All && !parts.empty()) parts.resize(1);
+  if (wanted == Parts::One && !parts.empty()) parts.resize(1);
   return parts;
 }
 

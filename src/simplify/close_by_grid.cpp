@@ -30,7 +30,7 @@ Result<std::vector<Layer>> close_by_grid(Sketch const& sketch, std::span<int con
   if (!layers) return layers.error();
   std::stable_sort(layers->begin(), layers->end(),
                    [](Layer const& a, Layer const& b) { return area(a) > area(b); });
-  if (options.parts != Parts::All && layers->size() > 1) layers->resize(1);
+  if (options.parts == Parts::One) layers->resize(1);
   return layers;
 }
 

@@ -106,6 +106,12 @@ std::vector<Group> groups_of(Sketch const& sketch, Parts parts) {
   return groups;
 }
 
+/// The pieces of a group are told apart by numbers; those of no group are only numbers.
+std::string layer_name(std::string const& group, int piece) {
+  if (group.empty()) return "part " + std::to_string(piece);
+  return piece == 1 ? group : group + " " + std::to_string(piece);
+}
+
 /// The strokes of a group that are no construction lines.
 std::vector<int> without(std::vector<bool> const& is_faint, std::vector<int> strokes) {
   std::erase_if(strokes, [&](int s) { return is_faint[s]; });
@@ -134,9 +140,8 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
     auto const samples = sample_strokes(sketch, group.strokes, sorting, kSortSpacing_px);
     auto const stray = sort_strokes(samples, sorting, *layers);
     drawing.stray.insert(drawing.stray.end(), stray.begin(), stray.end());
-    for (auto& layer : *layers) {
-      layer.name =
-          group.name.empty() ? "part " + std::to_string(drawing.layers.size() + 1) : group.name;
+    for (int piece = 1; auto& layer : *layers) {
+      layer.name = layer_name(group.name, piece++);
       drawing.layers.push_back(std::move(layer));
     }
   }

@@ -23,7 +23,7 @@ enum class Holes {
 enum class Parts {
   One,     // the largest silhouette
   All,     // every separate piece
-  Groups,  // one layer for each group of strokes
+  Groups,  // each group of strokes by itself: a layer for each, or for each separate piece of it
 };
 
 struct SimplifyOptions {

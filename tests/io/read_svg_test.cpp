@@ -277,5 +277,16 @@ TEST(ReadSvg, WhatIsLeftOutIsTold) {
   EXPECT_EQ(reading.drawing.sketch.strokes.size(), 2U);
 }
 
+TEST(ReadSvg, AGroupAroundAllGroupsIsNoLayer) {
+  std::string const text =
+      "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><g stroke='red' "
+      "fill='none'>"
+      "<g id='ear'><path d='M0,0 L9,9'/></g><g id='tail'><path d='M5,0 L9,9'/></g></g></svg>";
+  auto const drawing = read_svg(std::as_bytes(std::span(text)));
+  ASSERT_TRUE(drawing.has_value());
+  EXPECT_EQ(drawing->sketch.groups, (std::vector<std::string>{"ear", "tail"}));
+  EXPECT_EQ(drawing->sketch.strokes[1].group, 1);
+}
+
 }  // namespace
 }  // namespace inkflate

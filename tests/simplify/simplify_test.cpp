@@ -241,6 +241,17 @@ TEST(Simplify, GroupsBecomeLayersOfTheirOwn) {
   EXPECT_NEAR(area(drawing->layers[1].outlines[0]), M_PI * 200 * 200, 0.02 * M_PI * 200 * 200);
 }
 
+TEST(Simplify, NoPieceOfAGroupIsLost) {
+  Sketch sketch = sketch_of({circle_stroke({300, 500}, 100), circle_stroke({700, 500}, 90)});
+  sketch.groups = {"legs"};
+  for (auto& stroke : sketch.strokes) stroke.group = 0;
+  auto const drawing = simplify(sketch, {.parts = Parts::Groups});
+  ASSERT_TRUE(drawing.has_value());
+  ASSERT_EQ(drawing->layers.size(), 2U);
+  EXPECT_EQ(drawing->layers[0].name, "legs");
+  EXPECT_EQ(drawing->layers[1].name, "legs 2");
+}
+
 TEST(Simplify, ScaleAndPlaceChangeNothing) {
   auto sketch = sketch_of(
       {arc_stroke({500, 500}, 300, 220, 0.2, 6.1), line_stroke({{400, 450}, {600, 480}})});
