@@ -64,6 +64,17 @@ WorkSpace space_of(Sketch const& sketch) {
   return WorkSpace::around(box);
 }
 
+/// The working space in which strokes are given to layers. Outlines of whole pixels can be longer than tiny strokes by any factor, so a
+/// pixel is at most as long as a stroke may lie from the outline that it draws.
+WorkSpace sorting_space(WorkSpace space, SimplifyMethod method) {
+  constexpr double kLongestPixel_px = 9;
+  if (method == SimplifyMethod::Grid && space.to_work > kLongestPixel_px) {
+    space.to_work = kLongestPixel_px;
+    space.to_canvas = 1 / kLongestPixel_px;
+  }
+  return space;
+}
+
 /// The strokes that are closed together.
 struct Group {
   std::string name;  // empty: of strokes without a group
@@ -100,13 +111,14 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
   if (auto const error = check(options)) return *error;
   if (auto const error = check(sketch)) return *error;
   auto const space = space_of(sketch);
+  auto const sorting = sorting_space(space, options.method);
   Drawing drawing = {sketch, {}, {}};
   for (auto const& group : groups_of(sketch, options.parts)) {
     auto layers = close(sketch, group.strokes, space, options, progress);
     if (!layers) return layers.error();
     if (!progress.enter("sort")) return Error{ErrorCode::Cancelled, "stopped on request"};
-    auto const samples = sample_strokes(sketch, group.strokes, space, kSortSpacing_px);
-    auto const stray = sort_strokes(samples, space, *layers);
+    auto const samples = sample_strokes(sketch, group.strokes, sorting, kSortSpacing_px);
+    auto const stray = sort_strokes(samples, sorting, *layers);
     drawing.stray.insert(drawing.stray.end(), stray.begin(), stray.end());
     for (auto& layer : *layers) {
       layer.name =
