@@ -15,7 +15,7 @@ namespace inkflate {
 namespace {
 
 // The right half of the figure on a canvas of 1000 px, from the top of the head to between the legs.
-constexpr double kMiddle_px = 500;
+constexpr double kMiddlePx = 500;
 constexpr std::array<Vec2, 21> kHalfFigure = {
     {{500, 70},  {590, 90},  {635, 170}, {615, 260}, {560, 310}, {620, 350}, {760, 330},
      {880, 290}, {930, 330}, {900, 390}, {780, 430}, {660, 450}, {650, 600}, {700, 700},
@@ -36,7 +36,7 @@ constexpr std::array<Disc, 8> kRooms = {{{{500, 190}, 75},
                                          {{350, 800}, 35},
                                          {{500, 520}, 60}}};
 
-constexpr double kReach_px = 80;        // what a stroke of the outline adds to the ones before
+constexpr double kReachPx = 80;        // what a stroke of the outline adds to the ones before
 constexpr double kOverlap = 1.25;       // its length, in reaches
 constexpr double kMostPasses = 6;       // over the whole outline
 constexpr double kOutlineShare = 0.55;  // of the strokes
@@ -44,7 +44,7 @@ constexpr double kFleckShare = 0.04;
 
 /// The closed curve through points by Catmull and Rom, in short chords.
 Contour smooth_contour(Contour const& through) {
-  constexpr int kSteps = 24;
+  constexpr int steps_per_span = 24;
   Contour contour;
   auto const count = std::ssize(through);
   for (int i = 0; i < count; ++i) {
@@ -52,8 +52,8 @@ Contour smooth_contour(Contour const& through) {
     Vec2 const b = through[i];
     Vec2 const c = through[(i + 1) % count];
     Vec2 const d = through[(i + 2) % count];
-    for (int k = 0; k < kSteps; ++k) {
-      double const t = static_cast<double>(k) / kSteps;
+    for (int k = 0; k < steps_per_span; ++k) {
+      double const t = static_cast<double>(k) / steps_per_span;
       contour.push_back(0.5 * (2 * b + (c - a) * t + (2 * a - 5 * b + 4 * c - d) * (t * t) +
                                (3 * b - a - 3 * c + d) * (t * t * t)));
     }
@@ -64,7 +64,7 @@ Contour smooth_contour(Contour const& through) {
 Contour figure() {
   Contour through(kHalfFigure.begin(), kHalfFigure.end());
   for (int i = std::ssize(kHalfFigure) - 2; i > 0; --i)
-    through.push_back({2 * kMiddle_px - kHalfFigure[i].x, kHalfFigure[i].y});
+    through.push_back({2 * kMiddlePx - kHalfFigure[i].x, kHalfFigure[i].y});
   return smooth_contour(through);
 }
 
@@ -144,9 +144,9 @@ class Hand {
  private:
   int steps_of_stroke() { return 19 + rng_.below(21); }
   void add(Stroke& stroke, Vec2 place) {
-    constexpr double kTremor_px = 0.35;
+    constexpr double tremor_px = 0.35;
     Vec2 const tremor = {rng_.uniform(-1, 1), rng_.uniform(-1, 1)};
-    stroke.samples.push_back({place + tremor * kTremor_px, rng_.uniform(0.3, 1)});
+    stroke.samples.push_back({place + tremor * tremor_px, rng_.uniform(0.3, 1)});
   }
 
   Rng rng_;
@@ -155,7 +155,7 @@ class Hand {
 void draw_outline(Hand& hand, int count, std::vector<Stroke>& strokes) {
   AlongContour const outline(figure());
   // A drawing of few strokes has longer ones: they go round once and a bit.
-  double const reach_px = std::max(kReach_px, 1.15 * outline.length_px() / count);
+  double const reach_px = std::max(kReachPx, 1.15 * outline.length_px() / count);
   int const most = static_cast<int>(kMostPasses * outline.length_px() / reach_px);
   for (int i = 0; i < std::min(count, most); ++i) {
     double const from = (i + hand.rng().uniform(-0.2, 0.2)) * reach_px;

@@ -13,7 +13,7 @@ namespace inkflate {
 namespace {
 
 // What docs/algorithms/simplify.md resamples strokes to, work px; here only to tell how large a drawing is.
-constexpr double kSpacing_px = 2.2;
+constexpr double kSpacingPx = 2.2;
 
 double sample_count(Sketch const& sketch) {
   std::vector<int> all(sketch.strokes.size());
@@ -23,7 +23,7 @@ double sample_count(Sketch const& sketch) {
     for (auto const& sample : stroke.samples) box.include(sample.position);
   }
   return static_cast<double>(
-      sample_strokes(sketch, all, WorkSpace::around(box), kSpacing_px).points.size());
+      sample_strokes(sketch, all, WorkSpace::around(box), kSpacingPx).points.size());
 }
 
 /// Simplifies once; the time of each stage is added to the clock.
@@ -64,8 +64,8 @@ BENCHMARK(simplify_stages)->Arg(50)->Arg(250)->Arg(1000)->Unit(benchmark::kMilli
 
 /// Both methods on the same drawing in turn, so that whatever else the machine does meets both.
 void simplify_cut_against_grid(benchmark::State& state) {
-  constexpr int kStrokes = 250;
-  Sketch const sketch = rough_character(kStrokes, static_cast<double>(state.range(0)));
+  constexpr int stroke_count = 250;
+  Sketch const sketch = rough_character(stroke_count, static_cast<double>(state.range(0)));
   StageClock cut;
   StageClock grid;
   for ([[maybe_unused]] auto const iteration : state) {

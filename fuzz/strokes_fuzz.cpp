@@ -55,7 +55,8 @@ Vec2 read_place(Bytes& bytes, Coordinates coordinates) {
   }
   if (coordinates == Coordinates::CoarseGrid) {
     int const both = bytes.byte();
-    return Vec2{static_cast<double>(both % 16), static_cast<double>(both / 16)} * 60;
+    int const row = both / 16;
+    return Vec2{static_cast<double>(both % 16), static_cast<double>(row)} * 60;
   }
   double const x = bytes.byte();
   Vec2 const place = {x, static_cast<double>(bytes.byte())};

@@ -50,8 +50,8 @@ class Builder {
     for (int t = 0; t < count; ++t) {
       if (!is_ghost(t)) new_index[t] = kept++;
     }
-    result.corners.resize(static_cast<std::size_t>(3 * kept));
-    result.twins.resize(static_cast<std::size_t>(3 * kept));
+    result.corners.resize(3 * static_cast<std::size_t>(kept));
+    result.twins.resize(result.corners.size());
     for (int e = 0; e < 3 * count; ++e) {
       int const t = new_index[e / 3];
       if (t < 0) continue;
@@ -98,8 +98,8 @@ class Builder {
   }
 
   bool is_ghost(int t) const {
-    return corners_[3 * t] == ghost_ || corners_[3 * t + 1] == ghost_ ||
-           corners_[3 * t + 2] == ghost_;
+    int const first = 3 * t;
+    return corners_[first] == ghost_ || corners_[first + 1] == ghost_ || corners_[first + 2] == ghost_;
   }
 
   /// Whether p lies inside the circle of the triangle of e. A ghost's circle is the open half-plane beyond its hull edge

@@ -12,13 +12,13 @@ namespace inkflate {
 namespace {
 
 // Two white regions are one only where the passage between them is wider than this, work px: gaps below are slips of the pen.
-constexpr double kPassage_px = 10;
+constexpr double kPassagePx = 10;
 
 // Of its part's area: smaller regions are eyes and loops of the pen.
 constexpr double kLeastHoleShare = 0.015;
 
 // What lies this near to a line belongs to it, work px: the width of a line that was drawn several times.
-constexpr double kBand_px = 16;
+constexpr double kBandPx = 16;
 
 // Of a hole's rim may be silhouette.
 constexpr double kMostSilhouette = 0.1;
@@ -47,10 +47,10 @@ double share(std::ptrdiff_t some, std::ptrdiff_t all) {
 /// A set of places that can tell what is near it.
 class Line {
  public:
-  explicit Line(std::vector<Vec2> places) : places_(std::move(places)), grid_(places_, kBand_px) {}
+  explicit Line(std::vector<Vec2> places) : places_(std::move(places)), grid_(places_, kBandPx) {}
 
   std::vector<Vec2> const& places() const { return places_; }
-  bool is_near(Vec2 p, double distance_px = kBand_px) const {
+  bool is_near(Vec2 p, double distance_px = kBandPx) const {
     return grid_.any_near(p, distance_px, [&](int i) {
       return squared_norm(places_[i] - p) <= distance_px * distance_px;
     });
@@ -76,7 +76,7 @@ class HoleJudge {
  public:
   HoleJudge(Cells const& cells, CellLabels const& inside)
       : samples_(cells.samples),
-        whites_(join_cells(cells, inside, kPassage_px)),
+        whites_(join_cells(cells, inside, kPassagePx)),
         parts_(join_cells(cells, inside, 0)),
         silhouette_(find_silhouette(cells, inside)) {
     part_of_.assign(whites_.regions.size(), -1);

@@ -111,10 +111,10 @@ std::vector<int> marked_bay(Cells const& cells, CellLabels const& labels, Vec2 m
 double paper_weight_for_gap(CutOptions const& options) {
   if (!options.gap_px) return options.paper_weight;
   // The outline of a shape some 200 work px across.
-  constexpr double kPayingInk_px = 600;
+  constexpr double paying_ink_px = 600;
   // A right corner is cut when its two sides pull more than its diagonal costs: at a weight of sqrt(2) times that of ink.
   double const least = 1.6 * options.ink_weight;
-  return std::clamp(options.ink_weight * kPayingInk_px / *options.gap_px,
+  return std::clamp(options.ink_weight * paying_ink_px / *options.gap_px,
                     std::min(least, options.paper_weight), options.paper_weight);
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr int kTangentReach = 4;
 
 // Strokes are compared within this distance along the rim, work px: about four samples of each stroke.
-constexpr double kWindow_px = 4;
+constexpr double kWindowPx = 4;
 
 // cos 25 degrees, squared: a stroke that deviates more runs across the outline, not along it.
 constexpr double kParallel = 0.82;
@@ -90,16 +90,16 @@ Contour centre_rim(Rim const& rim, StrokeSamples const& samples, PointGrid const
     auto const at = geometry.points[i];
     auto const tangent = geometry.tangents[i];
     offsets.clear();
-    grid.near(at + perpendicular(tangent) * (limit[i] / 2), limit[i] / 2 + kWindow_px, [&](int k) {
+    grid.near(at + perpendicular(tangent) * (limit[i] / 2), limit[i] / 2 + kWindowPx, [&](int k) {
       auto const& sample = samples.points[k];
       auto const off = sample.position - at;
-      if (std::abs(dot(off, tangent)) > kWindow_px) return;
+      if (std::abs(dot(off, tangent)) > kWindowPx) return;
       double const inwards = cross(tangent, off);
-      if (inwards < -kWindow_px || inwards > limit[i]) return;
+      if (inwards < -kWindowPx || inwards > limit[i]) return;
       double const along = dot(sample.direction, tangent);
       if (along * along >= kParallel) offsets.push_back(inwards);
     });
-    moves[i] = std::clamp(middle(offsets, options.gap_px), -kWindow_px, limit[i]);
+    moves[i] = std::clamp(middle(offsets, options.gap_px), -kWindowPx, limit[i]);
   }
   smooth_closed(moves, kEvenOut);
   Contour result(rim.size());

@@ -13,10 +13,10 @@ namespace inkflate {
 namespace {
 
 // Distance of samples, work px. Half of it changes no result that a person sees, twice of it opens small gaps.
-constexpr double kSpacing_px = 2.5;
+constexpr double kSpacingPx = 2.5;
 
 // What is nowhere wider is a line, not a shape, work px: about three times the width of a pencil line.
-constexpr double kWhisker_px = 7;
+constexpr double kWhiskerPx = 7;
 
 // A piece with less than this share of the largest one's area is a speck.
 constexpr double kLeastShare = 0.01;
@@ -82,7 +82,7 @@ double mean_width(Contour const& contour) {
 std::vector<Rim> wide_rims(std::vector<Rim> const& traced, StrokeSamples const& samples) {
   std::vector<Rim> rims;
   for (auto const& rim : traced) {
-    auto pruned = prune_whiskers(rim, samples, kWhisker_px);
+    auto pruned = prune_whiskers(rim, samples, kWhiskerPx);
     if (!pruned.empty()) rims.push_back(std::move(pruned));
   }
   return rims;
@@ -97,7 +97,7 @@ std::vector<Part> choose_parts(std::vector<Rim> const& rims, StrokeSamples const
   if (parts.empty()) return parts;
   double const least = kLeastShare * parts.front().area_px2;
   std::erase_if(parts, [&](Part const& part) {
-    return part.area_px2 < least || mean_width(contours[part.outer]) < kWhisker_px;
+    return part.area_px2 < least || mean_width(contours[part.outer]) < kWhiskerPx;
   });
   if (wanted == Parts::One && !parts.empty()) parts.resize(1);
   return parts;
@@ -109,7 +109,7 @@ Result<std::vector<Layer>> close_by_cut(Sketch const& sketch, std::span<int cons
                                         WorkSpace const& space, SimplifyOptions const& options,
                                         Progress const& progress) {
   if (!progress.enter("sample")) return cancelled();
-  auto sampled = sample_strokes(sketch, chosen, space, kSpacing_px);
+  auto sampled = sample_strokes(sketch, chosen, space, kSpacingPx);
   if (!progress.enter("triangulate")) return cancelled();
   auto const cells = make_cells(std::move(sampled));
   auto const& samples = cells.samples;

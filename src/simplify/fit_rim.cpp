@@ -13,20 +13,20 @@ namespace inkflate {
 namespace {
 
 // At smooth = 1: the curve may leave the centred rim by so much (work px), which is first averaged over so many corners.
-constexpr double kTolerance_px = 2.0;
-constexpr double kLeastTolerance_px = 0.2;
+constexpr double kTolerancePx = 2.0;
+constexpr double kLeastTolerancePx = 0.2;
 constexpr double kAverage = 4;
 
 // The sides of a corner are taken as lines from here to there, work px: near the corner, overdrawn strokes overshoot or fall short.
-constexpr double kSideFrom_px = 5;
-constexpr double kSideTo_px = 18;
+constexpr double kSideFromPx = 5;
+constexpr double kSideToPx = 18;
 // No corner moves farther than this, work px.
-constexpr double kMostCornerMove_px = 12;
+constexpr double kMostCornerMovePx = 12;
 // Sides that turn by less than 25 degrees do not say where they meet: |sin|.
 constexpr double kLeastSideSine = 0.42;
 
 // The direction at the end of a chain is taken over this length, work px: over less, one sample that is a little off tilts the curve.
-constexpr double kEndReach_px = 12;
+constexpr double kEndReachPx = 12;
 // A closing flows on only if it turns by less than 55 degrees at either end: cos.
 constexpr double kLeastFlow = 0.57;
 
@@ -97,13 +97,13 @@ void sharpen_corner(ChainPoints& before, ChainPoints& after) {
   if (before.kind == RunKind::Closing || after.kind == RunKind::Closing) return;
   auto const& a = before.points;
   auto const& b = after.points;
-  if (length(a) < 2 * kSideTo_px || length(b) < 2 * kSideTo_px) return;
+  if (length(a) < 2 * kSideToPx || length(b) < 2 * kSideToPx) return;
   auto const corner =
-      meeting_point(a[index_at(a, kSideTo_px, -1)], a[index_at(a, kSideFrom_px, -1)],
-                    b[index_at(b, kSideFrom_px, 1)], b[index_at(b, kSideTo_px, 1)]);
-  if (!corner || distance(*corner, b.front()) > kMostCornerMove_px) return;
-  trim(before, 0, kSideFrom_px);
-  trim(after, kSideFrom_px, 0);
+      meeting_point(a[index_at(a, kSideToPx, -1)], a[index_at(a, kSideFromPx, -1)],
+                    b[index_at(b, kSideFromPx, 1)], b[index_at(b, kSideToPx, 1)]);
+  if (!corner || distance(*corner, b.front()) > kMostCornerMovePx) return;
+  trim(before, 0, kSideFromPx);
+  trim(after, kSideFromPx, 0);
   before.points.back() = *corner;
   after.points.front() = *corner;
 }
@@ -199,8 +199,8 @@ std::optional<Cubic> flowing_closing(Polyline const& before, Polyline const& gap
   auto const from = gap.front();
   auto const to = gap.back();
   auto const chord = normalized(to - from);
-  auto const leaving = normalized(from - before[index_at(before, kEndReach_px, -1)]);
-  auto const arriving = normalized(after[index_at(after, kEndReach_px, 1)] - to);
+  auto const leaving = normalized(from - before[index_at(before, kEndReachPx, -1)]);
+  auto const arriving = normalized(after[index_at(after, kEndReachPx, 1)] - to);
   if (dot(chord, leaving) < kLeastFlow || dot(chord, arriving) < kLeastFlow) return std::nullopt;
   double const handle = distance(from, to) / 3;
   return Cubic{{from, from + leaving * handle, to - arriving * handle, to}};
@@ -210,7 +210,7 @@ std::optional<Cubic> flowing_closing(Polyline const& before, Polyline const& gap
 std::vector<FittedCubic> fit_ink(ChainPoints& chain, bool closed, FitOptions const& options) {
   auto& points = chain.points;
   int const radius = static_cast<int>(options.smooth * kAverage + 0.5);
-  double const tolerance = std::max(kLeastTolerance_px, options.smooth * kTolerance_px);
+  double const tolerance = std::max(kLeastTolerancePx, options.smooth * kTolerancePx);
   Vec2 start;
   Vec2 end;
   if (closed) {
@@ -224,8 +224,8 @@ std::vector<FittedCubic> fit_ink(ChainPoints& chain, bool closed, FitOptions con
     if (auto const one = fit_one_cubic(points, tolerance)) {
       return {{*one, 0, static_cast<int>(std::ssize(points)) - 1}};
     }
-    auto const near_start = points[index_at(points, kEndReach_px, 1)];
-    auto const near_end = points[index_at(points, kEndReach_px, -1)];
+    auto const near_start = points[index_at(points, kEndReachPx, 1)];
+    auto const near_end = points[index_at(points, kEndReachPx, -1)];
     start = normalized(near_start - points.front());
     end = normalized(points.back() - near_end);
   }

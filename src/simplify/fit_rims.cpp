@@ -11,7 +11,7 @@ namespace {
 
 // Outlines are tested for crossings as polygons this close to the curves, work px: fine ones show where a joint turns back, coarse
 // ones where two sides are so close that drawing them would make them cross.
-constexpr std::array<double, 2> kTestTolerances_px = {0.01, 0.2};
+constexpr std::array<double, 2> kTestTolerancesPx = {0.01, 0.2};
 
 // Each way of drawing an outline is safer than the one before; the last one is the rim itself, which crosses nothing.
 enum class Care { Full, StraightClosings, Tight, Raw };
@@ -43,7 +43,7 @@ std::vector<std::uint8_t> crossing_outlines(std::vector<Outline> const& outlines
                                             WorkSpace const& space) {
   std::vector<std::uint8_t> crosses(outlines.size(), 0);
   std::vector<Contour> polygons(outlines.size());
-  for (double const tolerance_px : kTestTolerances_px) {
+  for (double const tolerance_px : kTestTolerancesPx) {
     for (std::size_t i = 0; i < outlines.size(); ++i)
       polygons[i] = flatten(outlines[i], tolerance_px * space.to_canvas);
     for (auto const& crossing : find_crossings(polygons, 1000)) {

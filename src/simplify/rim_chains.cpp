@@ -9,19 +9,19 @@ namespace inkflate {
 namespace {
 
 // A run shorter than this says nothing of its own, work px: about the width of a pencil line that was drawn three times.
-constexpr double kLeastRun_px = 7;
+constexpr double kLeastRunPx = 7;
 
 // A corner is a turn of more than 50 degrees between chords of this length, work px ...
-constexpr double kChord_px = 14;
+constexpr double kChordPx = 14;
 constexpr double kCornerCosine = 0.64;
 // ... most of which happens within shorter chords: else it is a bend. A circle turns by half there.
-constexpr double kShortChord_px = 7;
+constexpr double kShortChordPx = 7;
 constexpr double kShortCosine = 0.80;
 
 // A jump from one of several overdrawn strokes to the next, work px: no longer than this along the rim, and no other corner nearer
 // than that, or it is a feature of the drawing: a tooth, a step.
-constexpr double kJump_px = 16;
-constexpr double kAlone_px = 28;
+constexpr double kJumpPx = 16;
+constexpr double kAlonePx = 28;
 
 // The outline goes on when it turns by less than 45 degrees in all; the way aside is more than 37 degrees off: cos.
 constexpr double kGoesOn = 0.7;
@@ -89,13 +89,13 @@ double turn_cosine(ArcWalk const& walk, Contour const& positions, int i, double 
 
 /// Whether a gap leads aside, from the end of one overdrawn stroke to the next one beside it, and the outline goes on as before.
 bool is_sidestep(KindRun const& gap, ArcWalk const& walk, Contour const& positions) {
-  if (gap.length_px >= kJump_px) return false;
+  if (gap.length_px >= kJumpPx) return false;
   int const count = static_cast<int>(std::ssize(positions));
   auto const from = positions[gap.first];
   auto const to = positions[(gap.first + gap.size) % count];
-  auto const before = normalized(from - walk.point(walk.at(gap.first) - kChord_px));
+  auto const before = normalized(from - walk.point(walk.at(gap.first) - kChordPx));
   auto const after =
-      normalized(walk.point(walk.at((gap.first + gap.size) % count) + kChord_px) - to);
+      normalized(walk.point(walk.at((gap.first + gap.size) % count) + kChordPx) - to);
   return dot(before, after) > kGoesOn && dot(normalized(to - from), before + after) < 2 * kAside;
 }
 
@@ -106,7 +106,7 @@ RunKind effective_kind(std::vector<KindRun> const& runs, int r, ArcWalk const& w
   auto const& run = runs[r];
   if (count == 1) return run.kind;
   if (run.kind == RunKind::Closing && is_sidestep(run, walk, positions)) return RunKind::Ink;
-  if (run.length_px >= kLeastRun_px) return run.kind;
+  if (run.length_px >= kLeastRunPx) return run.kind;
   auto const before = runs[(r + count - 1) % count].kind;
   auto const after = runs[(r + 1) % count].kind;
   if (before == after) return before;
@@ -131,8 +131,8 @@ void settle(std::vector<RunKind>& kinds, ArcWalk const& walk, Contour const& pos
 std::vector<int> find_corners(ArcWalk const& walk, Contour const& positions) {
   int const count = static_cast<int>(std::ssize(positions));
   std::vector<double> cosines(positions.size(), 1);
-  if (walk.total() > 4 * kChord_px) {
-    for (int i = 0; i < count; ++i) cosines[i] = turn_cosine(walk, positions, i, kChord_px);
+  if (walk.total() > 4 * kChordPx) {
+    for (int i = 0; i < count; ++i) cosines[i] = turn_cosine(walk, positions, i, kChordPx);
   }
   std::vector<int> corners;
   for (int i = 0; i < count; ++i) {
@@ -144,11 +144,11 @@ std::vector<int> find_corners(ArcWalk const& walk, Contour const& positions) {
         int const next = (k + side + count) % count;
         passed += distance(positions[k], positions[next]);
         k = next;
-        if (passed > kChord_px || k == i) break;
+        if (passed > kChordPx || k == i) break;
         is_sharpest = cosines[i] < cosines[k] || (cosines[i] == cosines[k] && i < k);
       }
     }
-    if (is_sharpest && turn_cosine(walk, positions, i, kShortChord_px) < kShortCosine) {
+    if (is_sharpest && turn_cosine(walk, positions, i, kShortChordPx) < kShortCosine) {
       corners.push_back(i);
     }
   }
@@ -166,15 +166,15 @@ std::vector<int> without_jumps(std::vector<int> const& corners, ArcWalk const& w
   };
   auto const turn = [&](int c) {
     auto const at = positions[corners[c]];
-    return cross(at - walk.point(walk.at(corners[c]) - kChord_px),
-                 walk.point(walk.at(corners[c]) + kChord_px) - at);
+    return cross(at - walk.point(walk.at(corners[c]) - kChordPx),
+                 walk.point(walk.at(corners[c]) + kChordPx) - at);
   };
   std::vector<std::uint8_t> is_jump(corners.size(), 0);
   for (int c = 0; c < count; ++c) {
     int const next = (c + 1) % count;
     bool const is_alone =
-        count == 2 || (ahead_px((c + count - 1) % count) > kAlone_px && ahead_px(next) > kAlone_px);
-    if (ahead_px(c) > kJump_px || !is_alone || turn(c) * turn(next) >= 0) continue;
+        count == 2 || (ahead_px((c + count - 1) % count) > kAlonePx && ahead_px(next) > kAlonePx);
+    if (ahead_px(c) > kJumpPx || !is_alone || turn(c) * turn(next) >= 0) continue;
     is_jump[c] = 1;
     is_jump[next] = 1;
     int const rim_count = static_cast<int>(std::ssize(kinds));

@@ -12,14 +12,14 @@
 namespace inkflate {
 namespace {
 
-constexpr double kLargestCoordinate_px = 1e6;
+constexpr double kLargestCoordinatePx = 1e6;
 
 // The longer side of the strokes is at least this share of their coordinates. Rounding to doubles is then 2e-5 work px and less, far
 // below what keeps outlines from crossing.
 constexpr double kLeastSize = 1e-8;
 
 // Distance of the samples by which strokes are given to layers, work px.
-constexpr double kSortSpacing_px = 4;
+constexpr double kSortSpacingPx = 4;
 
 std::optional<Error> check(SimplifyOptions const& options) {
   if (options.gap_px && !(*options.gap_px > 0 && std::isfinite(*options.gap_px))) {
@@ -48,7 +48,7 @@ std::optional<Error> check(Sketch const& sketch) {
     }
     for (auto const& sample : sketch.strokes[i].samples) {
       auto const p = sample.position;
-      if (std::abs(p.x) <= kLargestCoordinate_px && std::abs(p.y) <= kLargestCoordinate_px)
+      if (std::abs(p.x) <= kLargestCoordinatePx && std::abs(p.y) <= kLargestCoordinatePx)
         continue;
       return Error{
           ErrorCode::BadInput,
@@ -81,10 +81,10 @@ std::optional<Error> check(Rect const& box) {
 /// The space in which strokes are given to layers. Outlines of whole pixels can be longer than tiny strokes by any factor, so a
 /// pixel is at most as long as a stroke may lie from the outline that it draws.
 WorkSpace sorting_space(WorkSpace space, SimplifyMethod method) {
-  constexpr double kLongestPixel_px = 9;
-  if (method == SimplifyMethod::Grid && space.to_work > kLongestPixel_px) {
-    space.to_work = kLongestPixel_px;
-    space.to_canvas = 1 / kLongestPixel_px;
+  constexpr double longest_pixel_px = 9;
+  if (method == SimplifyMethod::Grid && space.to_work > longest_pixel_px) {
+    space.to_work = longest_pixel_px;
+    space.to_canvas = 1 / longest_pixel_px;
   }
   return space;
 }
@@ -137,7 +137,7 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
             : close_by_cut(sketch, without(is_faint, group.strokes), space, options, progress);
     if (!layers) return layers.error();
     if (!progress.enter("sort")) return Error{ErrorCode::Cancelled, "stopped on request"};
-    auto const samples = sample_strokes(sketch, group.strokes, sorting, kSortSpacing_px);
+    auto const samples = sample_strokes(sketch, group.strokes, sorting, kSortSpacingPx);
     auto const stray = sort_strokes(samples, sorting, *layers);
     drawing.stray.insert(drawing.stray.end(), stray.begin(), stray.end());
     for (int piece = 1; auto& layer : *layers) {

@@ -10,14 +10,14 @@ namespace inkflate {
 namespace {
 
 // A sample draws an outline that runs within this distance, work px, and within 30 degrees of its direction: cos.
-constexpr double kBand_px = 9;
+constexpr double kBandPx = 9;
 constexpr double kParallel = 0.866;
 
 // A stroke draws an outline when this share of its samples does.
 constexpr double kOutlineShare = 0.4;
 
 // Outlines are looked at as points at most this far apart, work px.
-constexpr double kStep_px = 4;
+constexpr double kStepPx = 4;
 
 struct OutlinePoint {
   Vec2 direction;
@@ -38,7 +38,7 @@ OutlinePoints sample_outlines(std::vector<Layer> const& layers, WorkSpace const&
       for (int i = 0; i < std::ssize(contour); ++i) {
         auto const a = space.work_point(contour[i]);
         auto const b = space.work_point(contour[(i + 1) % std::ssize(contour)]);
-        int const steps = static_cast<int>(std::ceil(distance(a, b) / kStep_px));
+        int const steps = static_cast<int>(std::ceil(distance(a, b) / kStepPx));
         for (int k = 0; k < steps; ++k) {
           result.positions.push_back(lerp(a, b, static_cast<double>(k) / steps));
           result.points.push_back({normalized(b - a), layer});
@@ -62,8 +62,8 @@ void count_sample(StrokeSample const& sample, OutlinePoints const& outlines, Poi
   ++tally.samples;
   auto& seen = tally.seen;
   std::fill(seen.begin(), seen.end(), 0U);
-  grid.near(sample.position, kBand_px, [&](int k) {
-    if (squared_norm(outlines.positions[k] - sample.position) > kBand_px * kBand_px) return;
+  grid.near(sample.position, kBandPx, [&](int k) {
+    if (squared_norm(outlines.positions[k] - sample.position) > kBandPx * kBandPx) return;
     auto const& point = outlines.points[k];
     bool const is_along = std::abs(dot(point.direction, sample.direction)) >= kParallel;
     seen[point.layer] |= is_along ? 3U : 1U;
@@ -92,7 +92,7 @@ std::vector<int> sort_strokes(StrokeSamples const& samples, WorkSpace const& spa
                               std::vector<Layer>& layers) {
   std::vector<int> stray;
   auto const outlines = sample_outlines(layers, space);
-  PointGrid const grid(outlines.positions, kBand_px);
+  PointGrid const grid(outlines.positions, kBandPx);
   std::vector<Contour> outers;
   for (auto const& layer : layers) {
     auto contour = flatten(layer.outlines.front(), 0.5 * space.to_canvas);

@@ -13,7 +13,7 @@
 namespace inkflate {
 namespace {
 
-constexpr double kWidth_px = 7;
+constexpr double kWidthPx = 7;
 
 /// The rims of a sketch that was drawn in work px, and what is left of them.
 struct Pruned {
@@ -30,7 +30,7 @@ Pruned prune(std::vector<Stroke> strokes) {
   auto const cells = cells_of(sketch);
   Pruned result = {trace_rims(sketch, cells, labels_of(cells)), {}, cells.samples};
   for (auto const& rim : result.before) {
-    auto rest = prune_whiskers(rim, cells.samples, kWidth_px);
+    auto rest = prune_whiskers(rim, cells.samples, kWidthPx);
     if (!rest.empty()) result.after.push_back(std::move(rest));
   }
   return result;
@@ -54,7 +54,7 @@ TEST(PruneWhiskers, ADiscLosesAntennaeThatWereDrawnTwice) {
   auto const contour = positions(pruned.after[0], pruned.samples);
   EXPECT_TRUE(is_simple(contour));
   EXPECT_NEAR(signed_area(contour), M_PI * 250 * 250, 0.02 * M_PI * 250 * 250);
-  EXPECT_LT(farthest(pruned.after[0], pruned.samples, Vec2{512, 612}), 250 + 3 * kWidth_px);
+  EXPECT_LT(farthest(pruned.after[0], pruned.samples, Vec2{512, 612}), 250 + 3 * kWidthPx);
 }
 
 TEST(PruneWhiskers, AThickLimbStays) {
@@ -96,7 +96,7 @@ TEST(PruneWhiskers, TheFootOfAWhiskerIsInk) {
         });
     if (was_edge) continue;
     EXPECT_EQ(rim[i].to_next, RunKind::Ink);
-    EXPECT_LE(distance(points[i], points[(i + 1) % rim.size()]), kWidth_px);
+    EXPECT_LE(distance(points[i], points[(i + 1) % rim.size()]), kWidthPx);
   }
 }
 
@@ -108,7 +108,7 @@ TEST(PruneWhiskers, WhatIsLeftIsSimpleAndOfOldCornersInOrder) {
     auto const sketch = random_sketch(seed);
     auto const cells = cells_of(sketch);
     for (auto const& rim : trace_rims(sketch, cells, labels_of(cells))) {
-      auto const rest = prune_whiskers(rim, cells.samples, kWidth_px);
+      auto const rest = prune_whiskers(rim, cells.samples, kWidthPx);
       if (rest.empty()) continue;
       EXPECT_TRUE(is_simple(positions(rest, cells.samples))) << seed;
       std::size_t next = 0;

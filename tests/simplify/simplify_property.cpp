@@ -57,11 +57,11 @@ Case arbitrary_grid_case(std::uint64_t seed) {
   auto made = arbitrary_case(seed);
   made.options.method = SimplifyMethod::Grid;
   made.options.gap_px.reset();
-  constexpr double kSize_px = 80;
+  constexpr double kSizePx = 80;
   for (auto* marks : {&made.options.outside, &made.options.inside}) {
-    for (auto& mark : *marks) mark *= kSize_px / made.sketch.width_px;
+    for (auto& mark : *marks) mark *= kSizePx / made.sketch.width_px;
   }
-  made.sketch = *place_sketch(made.sketch, {kSize_px, PlaceMode::WholeCanvas});
+  made.sketch = *place_sketch(made.sketch, {kSizePx, PlaceMode::WholeCanvas});
   return made;
 }
 

@@ -22,12 +22,12 @@ using namespace inkflate;
 
 // Four pairs of sketches of 1000 x 800 px side by side are 2000 px wide.
 constexpr double kScale = 0.23;
-constexpr double kCellWidth_px = 234;
-constexpr double kCellHeight_px = 188;
-constexpr double kBetweenPairs_px = 25;
+constexpr double kCellWidthPx = 234;
+constexpr double kCellHeightPx = 188;
+constexpr double kBetweenPairsPx = 25;
 // Thinner ones would fade at this scale; both in px of the sketch.
-constexpr double kThinnestStroke_px = 4;
-constexpr double kOutline_px = 8;
+constexpr double kThinnestStrokePx = 4;
+constexpr double kOutlinePx = 8;
 
 Result<Sketch> read_sketch_file(char const* path) {
   std::ifstream stream(path, std::ios::binary);
@@ -35,7 +35,7 @@ Result<Sketch> read_sketch_file(char const* path) {
   auto drawing = read_svg(std::as_bytes(std::span(content)));
   if (!drawing) return drawing.error();
   for (auto& stroke : drawing->sketch.strokes)
-    stroke.width_px = std::max(stroke.width_px, kThinnestStroke_px);
+    stroke.width_px = std::max(stroke.width_px, kThinnestStrokePx);
   return std::move(drawing->sketch);
 }
 
@@ -49,8 +49,8 @@ DrawList draw_pair(char const* path) {
   }
   auto const scaling = Affine::scaling(kScale, kScale);
   auto pair = place(draw_sketch(*sketch), scaling);
-  auto const result = draw_drawing(*drawing, {.line_width_px = kOutline_px});
-  append(pair, place(result, Affine::translation({kCellWidth_px, 0}) * scaling));
+  auto const result = draw_drawing(*drawing, {.line_width_px = kOutlinePx});
+  append(pair, place(result, Affine::translation({kCellWidthPx, 0}) * scaling));
   return pair;
 }
 
@@ -64,19 +64,19 @@ int main(int count, char** arguments) {
   }
   DrawList sheet;
   bool is_done = true;
-  double const pair_width_px = 2 * kCellWidth_px + kBetweenPairs_px;
-  double const pair_height_px = kCellHeight_px + kBetweenPairs_px;
+  double const pair_width_px = 2 * kCellWidthPx + kBetweenPairsPx;
+  double const pair_height_px = kCellHeightPx + kBetweenPairsPx;
   for (int i = 0; i < count - 3; ++i) {
     auto pair = draw_pair(arguments[3 + i]);
     is_done = is_done && !pair.empty();
-    Vec2 const corner = {kBetweenPairs_px + i % columns * pair_width_px,
-                         kBetweenPairs_px + i / columns * pair_height_px};
+    Vec2 const corner = {kBetweenPairsPx + i % columns * pair_width_px,
+                         kBetweenPairsPx + i / columns * pair_height_px};
     append(sheet, place(std::move(pair), Affine::translation(corner)));
   }
   int const rows = (count - 3 + columns - 1) / columns;
   auto const picture =
-      rasterise(sheet, static_cast<int>(kBetweenPairs_px + columns * pair_width_px),
-                static_cast<int>(kBetweenPairs_px + rows * pair_height_px), palette::kPaper);
+      rasterise(sheet, static_cast<int>(kBetweenPairsPx + columns * pair_width_px),
+                static_cast<int>(kBetweenPairsPx + rows * pair_height_px), palette::kPaper);
   auto const png = write_png(picture);
   std::ofstream file(arguments[1], std::ios::binary);
   file.write(reinterpret_cast<char const*>(png.data()), std::ssize(png));
