@@ -36,7 +36,7 @@ constexpr std::array<Disc, 8> kRooms = {{{{500, 190}, 75},
                                          {{350, 800}, 35},
                                          {{500, 520}, 60}}};
 
-constexpr double kReachPx = 80;        // what a stroke of the outline adds to the ones before
+constexpr double kReachPx = 80;         // what a stroke of the outline adds to the ones before
 constexpr double kOverlap = 1.25;       // its length, in reaches
 constexpr double kMostPasses = 6;       // over the whole outline
 constexpr double kOutlineShare = 0.55;  // of the strokes

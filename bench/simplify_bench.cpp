@@ -12,8 +12,8 @@
 namespace inkflate {
 namespace {
 
-// What docs/algorithms/simplify.md resamples strokes to, work px; here only to tell how large a drawing is.
-constexpr double kSpacingPx = 2.2;
+// What simplify resamples strokes to, work px; here only to tell how large a drawing is.
+constexpr double kSpacingPx = 2.5;
 
 double sample_count(Sketch const& sketch) {
   std::vector<int> all(sketch.strokes.size());

@@ -99,7 +99,8 @@ class Builder {
 
   bool is_ghost(int t) const {
     int const first = 3 * t;
-    return corners_[first] == ghost_ || corners_[first + 1] == ghost_ || corners_[first + 2] == ghost_;
+    return corners_[first] == ghost_ || corners_[first + 1] == ghost_ ||
+           corners_[first + 2] == ghost_;
   }
 
   /// Whether p lies inside the circle of the triangle of e. A ghost's circle is the open half-plane beyond its hull edge

@@ -98,9 +98,8 @@ void sharpen_corner(ChainPoints& before, ChainPoints& after) {
   auto const& a = before.points;
   auto const& b = after.points;
   if (length(a) < 2 * kSideToPx || length(b) < 2 * kSideToPx) return;
-  auto const corner =
-      meeting_point(a[index_at(a, kSideToPx, -1)], a[index_at(a, kSideFromPx, -1)],
-                    b[index_at(b, kSideFromPx, 1)], b[index_at(b, kSideToPx, 1)]);
+  auto const corner = meeting_point(a[index_at(a, kSideToPx, -1)], a[index_at(a, kSideFromPx, -1)],
+                                    b[index_at(b, kSideFromPx, 1)], b[index_at(b, kSideToPx, 1)]);
   if (!corner || distance(*corner, b.front()) > kMostCornerMovePx) return;
   trim(before, 0, kSideFromPx);
   trim(after, kSideFromPx, 0);

@@ -48,8 +48,7 @@ std::optional<Error> check(Sketch const& sketch) {
     }
     for (auto const& sample : sketch.strokes[i].samples) {
       auto const p = sample.position;
-      if (std::abs(p.x) <= kLargestCoordinatePx && std::abs(p.y) <= kLargestCoordinatePx)
-        continue;
+      if (std::abs(p.x) <= kLargestCoordinatePx && std::abs(p.y) <= kLargestCoordinatePx) continue;
       return Error{
           ErrorCode::BadInput,
           "stroke " + std::to_string(i) + " has a coordinate that is not a number within 1e6 px",
