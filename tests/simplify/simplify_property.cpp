@@ -52,16 +52,17 @@ Case arbitrary_case(std::uint64_t seed) {
   return made;
 }
 
+constexpr double kGridCanvasPx = 80;
+
 /// The same on a canvas on which pixels are cheap; there the gap is not limited.
 Case arbitrary_grid_case(std::uint64_t seed) {
   auto made = arbitrary_case(seed);
   made.options.method = SimplifyMethod::Grid;
   made.options.gap_px.reset();
-  constexpr double kSizePx = 80;
   for (auto* marks : {&made.options.outside, &made.options.inside}) {
-    for (auto& mark : *marks) mark *= kSizePx / made.sketch.width_px;
+    for (auto& mark : *marks) mark *= kGridCanvasPx / made.sketch.width_px;
   }
-  made.sketch = *place_sketch(made.sketch, {kSizePx, PlaceMode::WholeCanvas});
+  made.sketch = *place_sketch(made.sketch, {kGridCanvasPx, PlaceMode::WholeCanvas});
   return made;
 }
 
