@@ -63,20 +63,20 @@ Cubic random_arch(Rng& rng) {
 
 TEST(CurveFit, PointsOfOneCubicGiveOneCubicBack) {
   // A fiftieth of its length: the few steps on the parameters do not find the very curve again.
-  constexpr double kTolerance = 2;
+  constexpr double tolerance = 2;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Rng rng(seed);
     auto const arch = random_arch(rng);
     auto const points = points_on(arch, 60);
     auto const start = normalized(derivative_at(arch, 0));
     auto const end = normalized(derivative_at(arch, 1));
-    auto const fitted = fit_cubics(points, start, end, kTolerance);
+    auto const fitted = fit_cubics(points, start, end, tolerance);
     EXPECT_EQ(fitted.size(), 1U) << seed;
-    expect_fit(fitted, points, kTolerance);
-    auto const one = fit_one_cubic(points, kTolerance);
+    expect_fit(fitted, points, tolerance);
+    auto const one = fit_one_cubic(points, tolerance);
     ASSERT_TRUE(one.has_value()) << seed;
     for (double const t : {0.1, 0.4, 0.8})
-      EXPECT_LT(distance_to_curve(point_at(arch, t), *one), 1.2 * kTolerance) << seed;
+      EXPECT_LT(distance_to_curve(point_at(arch, t), *one), 1.2 * tolerance) << seed;
   }
 }
 
