@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/cubic.h"
 #include "geometry/polyline.h"
+#include "image/colour.h"
 #include "model/stroke.h"
 
 namespace inkflate {
@@ -52,6 +54,9 @@ struct Layer {
   std::vector<int> strokes;       // those that draw the outlines; indices into Sketch::strokes
   std::vector<int>
       details;  // those that lie on the layer without being outline: eyes, whiskers, hatching
+  double thickness =
+      2;  // 0.1 .. 32: c of the inflation; 2 makes limbs round, 4 makes a disc a ball
+  std::optional<Colour> fill;  // of the layer's area; none: the default of whoever draws it
 
   friend bool operator==(Layer const&, Layer const&) = default;
 };
