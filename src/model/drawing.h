@@ -56,7 +56,7 @@ struct Layer {
       details;  // those that lie on the layer without being outline: eyes, whiskers, hatching
   double thickness =
       2;  // 0.1 .. 32: c of the inflation; 2 makes limbs round, 4 makes a disc a ball
-  std::optional<Colour> fill;  // of the layer's area; none: the default of whoever draws it
+  std::optional<Colour> fill = {};  // of the layer's area; none: the default of whoever draws it
 
   friend bool operator==(Layer const&, Layer const&) = default;
 };
