@@ -8,6 +8,7 @@
 
 #include "io/print_pose.h"
 #include "io/write_glb.h"
+#include "io/write_obj.h"
 #include "io/write_stl.h"
 #include "support/models.h"
 
@@ -22,12 +23,24 @@ bool write(std::filesystem::path const& path, std::span<std::byte const> bytes) 
   return static_cast<bool>(stream.flush());
 }
 
+bool write(std::filesystem::path const& path, std::string const& text) {
+  return write(path, std::as_bytes(std::span(text)));
+}
+
+bool write_obj_files(std::filesystem::path const& folder, std::string const& name,
+                     RestModel const& model, Texture const& texture) {
+  auto const files = write_obj(model, &texture, name);
+  return write(folder / (name + ".obj"), files.obj) && write(folder / (name + ".mtl"), files.mtl) &&
+         write(folder / (name + ".png"), files.png);
+}
+
 bool write_all_formats(std::filesystem::path const& folder, std::string const& name,
                        RestModel const& model) {
   auto const texture = sheet_texture(model, red_over_blue(256));
   return write(folder / (name + ".glb"), write_glb(model, &texture, name)) &&
          write(folder / (name + "_clay.glb"), write_glb(model, nullptr, name)) &&
-         write(folder / (name + ".stl"), write_stl(print_pose(model.mesh)));
+         write(folder / (name + ".stl"), write_stl(print_pose(model.mesh))) &&
+         write_obj_files(folder, name, model, texture);
 }
 
 }  // namespace
