@@ -8,9 +8,8 @@
 #include <iostream>
 
 #include "inflate/layer_heights.h"
-#include "support/characters.h"
 #include "support/depth_order.h"
-#include "support/flat_meshes.h"
+#include "support/flat_characters.h"
 
 namespace inkflate {
 namespace {

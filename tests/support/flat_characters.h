@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/drawing.h"
+#include "geometry/polyline.h"
 #include "model/flat_model.h"
 
 namespace inkflate::support {
@@ -28,9 +28,6 @@ std::vector<Part> one_part();
 std::vector<Part> three_parts();
 std::vector<Part> five_parts();
 std::vector<Part> twenty_one_parts();
-
-/// The parts as drawn: one layer each, open roots as closings.
-Drawing drawing_of(std::vector<Part> const& parts);
 
 /// The parts meshed and joined as assemble would: a limb lies in a slit of its host's front sheet, or of its back sheet if it is behind it.
 FlatModel flat_model_of(std::vector<Part> const& parts);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "support/characters.h"
+#include "support/flat_characters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,26 +128,6 @@ std::vector<Part> twenty_one_parts() {
           blob("badge", {575, 446}, {16, 16}),
           limb("arm", {560, 500}, {760, 560}, 50, 4),
           blob("hat", {655, 225}, {90, 40})};
-}
-
-Drawing drawing_of(std::vector<Part> const& parts) {
-  Drawing drawing;
-  drawing.sketch.width_px = drawing.sketch.height_px = kCanvasPx;
-  for (auto const& part : parts) {
-    Layer layer;
-    layer.name = part.name;
-    layer.thickness = part.thickness;
-    layer.outlines.emplace_back();
-    for (std::size_t i = 0; i < part.rim.size(); ++i) {
-      Vec2 const a = part.rim[i];
-      Vec2 const b = part.rim[(i + 1) % part.rim.size()];
-      bool const is_open = part.is_open && i + 1 == part.rim.size();
-      layer.outlines[0].pieces.push_back({{a, lerp(a, b, 1.0 / 3), lerp(a, b, 2.0 / 3), b},
-                                          is_open ? RunKind::Closing : RunKind::Ink});
-    }
-    drawing.layers.push_back(layer);
-  }
-  return drawing;
 }
 
 FlatModel flat_model_of(std::vector<Part> const& parts) {
