@@ -64,7 +64,7 @@ void add_run(DrawList& list, Run const& run, double width_px) {
 
 void add_layer(DrawList& list, Layer const& layer, Sketch const& sketch, double width_px) {
   FilledPath shape;
-  shape.colour = palette::kShape;
+  shape.colour = layer.fill.value_or(palette::kShape);
   for (auto const& outline : layer.outlines) {
     shape.contours.push_back(flatten(outline, kFlattenTolerancePx));
   }
