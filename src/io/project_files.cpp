@@ -10,6 +10,7 @@
 #include "io/parse_json.h"
 #include "io/read_document_json.h"
 #include "io/read_picture.h"
+#include "io/sketch_limits.h"
 #include "io/write_document_json.h"
 #include "io/write_png.h"
 #include "render/draw_drawing.h"
@@ -69,6 +70,15 @@ Result<std::vector<ZipFile>> project_files(Project const& project) {
   }
   if (picture) files.push_back({std::string(kTemplateFile), write_png(*picture)});
   return files;
+}
+
+Result<std::vector<std::byte>> write_project_zip(std::span<ZipFile const> files) {
+  auto archive = write_zip(files);
+  if (std::ssize(archive) > kMaxFileBytes) {
+    return Error{ErrorCode::TooLarge,
+                 "the file would be larger than 64 MB, which is the most we read"};
+  }
+  return archive;
 }
 
 Result<Project> read_project_files(std::span<ZipEntry const> entries) {

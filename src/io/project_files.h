@@ -21,6 +21,9 @@ inline constexpr std::string_view kDocumentFile = "document.json";
 /// errors  TooLarge (more than the reader would take)
 Result<std::vector<ZipFile>> project_files(Project const& project);
 
+/// The archive with these files. TooLarge: it would be more than we read.
+Result<std::vector<std::byte>> write_project_zip(std::span<ZipFile const> files);
+
 /// Reads them back; other files are passed over.
 ///
 /// errors  BadInput (no document, or damaged; index: as in read_document_json), TooLarge, Unsupported (a newer version)
