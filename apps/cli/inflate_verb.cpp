@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 #include "cli/batch.h"
 #include "cli/files.h"
+#include "cli/load_project.h"
 #include "cli/option_values.h"
 #include "cli/output_plan.h"
 #include "cli/progress_line.h"
-#include "cli/read_sketch.h"
 #include "cli/simplify_options.h"
 #include "cli/verb.h"
 #include "cli/write_model.h"
@@ -88,35 +89,23 @@ Result<InflatePlan> make_plan(InflateCall const& call) {
   return plan;
 }
 
-Result<Drawing> read_drawing(InflateCall const& call, InflatePlan const& plan,
-                             std::string const& input, Progress const& progress) {
-  progress.report("read");
-  auto const content = read_file(input);
-  if (!content) return content.error();
-  auto const read = read_sketch(*content);
-  if (!read) return read.error();
-  if (!call.shared.is_quiet) {
-    for (auto const& warning : read->warnings) print_warning(input, warning);
-  }
-  return run_simplify(read->source, plan.simplify, progress);
-}
-
 Result<Json> inflate_one(InflateCall const& call, InflatePlan const& plan, int index,
                          ProgressLine& line) {
   StageClock clock;
   Progress const shown = {[&](std::string_view stage) { line.show(stage); }, {}};
   Progress const progress = clock.timed(shown);
-  auto drawing = read_drawing(call, plan, call.shared.inputs[index], progress);
-  if (!drawing) return drawing.error();
+  auto project = load_project(call.shared, call.shared.inputs[index], plan.simplify, progress);
+  if (!project) return project.error();
+  auto& drawing = project->drawing;
   if (plan.thickness) {
-    for (auto& layer : drawing->layers) layer.thickness = *plan.thickness;
+    for (auto& layer : drawing.layers) layer.thickness = *plan.thickness;
   }
-  auto const model = run_inflate(*drawing, plan.inflate, progress);
+  auto const model = run_inflate(drawing, plan.inflate, progress);
   if (!model) return model.error();
   auto const& output = plan.outputs[index];
   if (!output.empty()) {
     progress.report("texture");
-    auto const texture = bake_texture(*drawing, *model);
+    auto const texture = bake_texture(drawing, *model);
     progress.report("write");
     if (auto const error = write_model(*model, &texture, plan.formats[index], output)) {
       return *error;

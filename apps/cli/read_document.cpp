@@ -60,8 +60,8 @@ Result<ReadDocument> read_document(std::span<std::byte const> content) {
     case FileFormat::Obj:
     case FileFormat::Stl:
     case FileFormat::ThreeMf:
-      return Error{ErrorCode::Unsupported,
-                   std::string("a model (") + file_format_name(format) + "), which holds no drawing"};
+      return Error{ErrorCode::Unsupported, std::string("a model (") + file_format_name(format) +
+                                               "), which holds no drawing"};
     case FileFormat::Unknown:
       break;
   }

@@ -17,8 +17,8 @@ namespace inkflate::cli {
 /// What a file holds that can be drawn or inflated, whatever its format.
 struct ReadDocument {
   FileFormat format = FileFormat::Unknown;
-  Project project;              // with layers where the file has them; nothing drawn where there is a scan
-  std::optional<Picture> scan;  // a picture whose strokes are still to be found
+  Project project;  // with layers where the file has them; nothing drawn where there is a scan
+  std::optional<Picture> scan;             // a picture whose strokes are still to be found
   std::vector<std::string> warnings = {};  // what of the file was left out
 };
 
