@@ -24,6 +24,7 @@ struct Pair {
   std::vector<Vec2> ends;  // of their joints' runs
   double width_px = 0;     // of the widest run
   bool is_mouth = false;
+  int number = 0;
 };
 
 bool overlap(Rect const& a, Rect const& b) {
@@ -31,7 +32,7 @@ bool overlap(Rect const& a, Rect const& b) {
 }
 
 Pair describe(FlatModel const& model, int behind, int before) {
-  Pair pair = {behind, before, {}, 0, false};
+  Pair pair = {behind, before, {}, 0, false, 0};
   for (auto const& joint : model.joints) {
     auto const both = std::minmax(joint.limb, joint.host);
     if (both.first != behind || both.second != before || joint.limb_vertices.empty()) continue;
@@ -60,7 +61,8 @@ void add_rule_at(Pair const& pair, std::span<LayerShape const> shapes, Vec2 p, d
   // Two mouths that meet are at one depth: neither can be before the other.
   if (pair.is_mouth && free < 1) return;
   rules.push_back({shapes[pair.before].plate.depth(p), shapes[pair.behind].plate.depth(p),
-                   std::abs(behind_height - before_height) + kMarginPx * free, weight, false});
+                   std::abs(behind_height - before_height) + kMarginPx * free, weight, false,
+                   pair.number});
 }
 
 /// Looks up the vertices and the drawn edges of one layer in another. visit(p, own height, other's height)
@@ -98,7 +100,7 @@ void add_slit_rules(Joint const& joint, std::span<LayerShape const> shapes, doub
     bool const is_end = i == 0 || i + 1 == joint.limb_vertices.size();
     rules.push_back({limb.plate.depth(p), host.plate.depth(p),
                      sign * host.heights[joint.host_vertices[i]],
-                     is_end ? weight : weight * kSoftMiddle, true});
+                     is_end ? weight : weight * kSoftMiddle, true, 0});
   }
 }
 
@@ -111,9 +113,9 @@ void add_mouth_rules(Joint const& joint, std::span<LayerShape const> shapes, dou
   Vec2 const along = points[joint.limb_vertices.back()] - points[joint.limb_vertices.front()];
   Vec2 const across = perpendicular(normalized(along));
   for (int const v : joint.limb_vertices) {
-    rules.push_back({limb.plate.depth(points[v]), host.plate.depth(points[v]), 0, weight, true});
+    rules.push_back({limb.plate.depth(points[v]), host.plate.depth(points[v]), 0, weight, true, 0});
     rules.push_back({limb.plate.slope(points[v], across), host.plate.slope(points[v], across), 0,
-                     weight * squared_norm(along), true});
+                     weight * squared_norm(along), true, 0});
   }
 }
 
@@ -124,7 +126,8 @@ void add_order_rules(FlatModel const& model, std::span<LayerShape const> shapes,
   for (int before = 0; before < std::ssize(shapes); ++before) {
     for (int behind = 0; behind < before; ++behind) {
       if (!overlap(shapes[behind].grid.box(), shapes[before].grid.box())) continue;
-      auto const pair = describe(model, behind, before);
+      auto pair = describe(model, behind, before);
+      pair.number = before * static_cast<int>(shapes.size()) + behind;
       for_each_common_point(shapes[before], shapes[behind], [&](Vec2 p, double own, double other) {
         add_rule_at(pair, shapes, p, other, own, weight, rules);
       });
