@@ -39,16 +39,25 @@ std::string random_name(Rng& rng) {
   return name;
 }
 
+Colour random_colour(Rng& rng) {
+  Colour colour;
+  for (auto* channel : {&colour.r, &colour.g, &colour.b, &colour.a}) {
+    *channel = static_cast<std::uint8_t>(rng.below(256));
+  }
+  return colour;
+}
+
 Stroke random_stroke(Rng& rng, int group_count) {
   Stroke stroke;
   bool const has_pressure = rng.below(2) == 0;
+  bool const has_time = rng.below(2) == 0;
   for (int i = rng.below(6); i > 0; --i) {
-    stroke.samples.push_back({random_point(rng), has_pressure ? rng.uniform() : 1});
+    stroke.samples.push_back(
+        {random_point(rng), has_pressure ? rng.uniform() : 1, has_time ? rng.uniform(0, 60) : 0});
   }
   stroke.kind = rng.below(3) == 0 ? StrokeKind::HelpLine : StrokeKind::Ink;
   stroke.width_px = rng.uniform(0, 9);
-  auto const byte = [&] { return static_cast<std::uint8_t>(rng.below(256)); };
-  stroke.colour = {byte(), byte(), byte(), byte()};
+  stroke.colour = random_colour(rng);
   stroke.group = rng.below(group_count + 1) - 1;
   return stroke;
 }
@@ -77,12 +86,18 @@ Drawing random_drawing(Rng& rng) {
   auto& sketch = drawing.sketch;
   sketch.width_px = rng.uniform(0, 2000);
   sketch.height_px = rng.below(2000);
-  for (int i = rng.below(3); i > 0; --i) sketch.groups.push_back(random_name(rng));
+  for (int i = rng.below(3); i > 0; --i) {
+    sketch.groups.push_back({random_name(rng)});
+    if (rng.below(2) == 0) sketch.groups.back().fill = random_colour(rng);
+    if (rng.below(2) == 0) sketch.groups.back().thickness = rng.uniform(0.1, 32);
+  }
   int const stroke_count = rng.below(12);
   int const group_count = static_cast<int>(sketch.groups.size());
   drawing.layers.resize(static_cast<std::size_t>(rng.below(4)));
   for (auto& layer : drawing.layers) {
     layer.name = random_name(rng);
+    if (rng.below(2) == 0) layer.fill = random_colour(rng);
+    if (rng.below(2) == 0) layer.thickness = rng.uniform(0.1, 32);
     for (int i = rng.below(4); i > 0; --i)
       layer.outlines.push_back(random_outline(rng, stroke_count));
   }
@@ -142,6 +157,12 @@ TEST(WriteSvg, DrawsOnePathPerRun) {
   EXPECT_NE(text.find("class=\"detail\" d=\"M10 10L90 10.123\""), std::string::npos);
 }
 
+TEST(WriteSvg, ALayerIsPaintedInItsColour) {
+  auto drawing = square();
+  drawing.layers[0].fill = Colour{1, 2, 255, 51};
+  EXPECT_EQ(count(write_svg(drawing), " fill=\"#0102ff\" fill-opacity=\"0.2\""), 1);
+}
+
 TEST(WriteSvg, RoughStrokesAreHiddenBehindLayers) {
   auto drawing = square();
   EXPECT_EQ(count(write_svg(drawing), "display:none"), 1);
@@ -157,10 +178,10 @@ TEST(WriteSvg, AnEmptyDrawingSurvives) {
 
 TEST(WriteSvg, NamesThatXmlCannotHoldAreReplaced) {
   Drawing drawing;
-  drawing.sketch.groups = {std::string("a\x01\xff", 3)};
+  drawing.sketch.groups = {{std::string("a\x01\xff", 3)}};
   auto const again = read_svg(as_bytes(write_svg(drawing)));
   ASSERT_TRUE(again.has_value());
-  EXPECT_EQ(again->sketch.groups[0], "a\xef\xbf\xbd\xef\xbf\xbd");
+  EXPECT_EQ(again->sketch.groups[0].name, "a\xef\xbf\xbd\xef\xbf\xbd");
 }
 
 TEST(WriteSvg, DamagedDrawingDataIsNamed) {
@@ -177,6 +198,7 @@ TEST(WriteSvg, DamagedDrawingDataIsNamed) {
         Case{"stroke-width=\"3\"", "stroke-width=\"-3\""},
         Case{"sources=\";", "sources=\"0 1 5 0 1,;"},
         Case{"sources=\";", "sources=\"0 1 0.5 0 1,;"}, Case{"sources=\";", "sources=\""},
+        Case{"thickness=\"2\"", "thickness=\"0\""}, Case{"thickness=\"2\"", "fill=\"none\""},
         Case{"width=\"300\"", "width=\"wide\""}, Case{"stray=\"\"", "stray=\"-1\""},
         Case{"Z\"", "\""}}) {
     auto damaged = text;
