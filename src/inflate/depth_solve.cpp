@@ -2,9 +2,6 @@
 #include "inflate/depth_solve.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <optional>
 
 #include "solvers/growing_cholesky.h"
 
@@ -17,6 +14,8 @@ constexpr double kGoodEnoughPx = 0.01;
 /// Twenty rounds are usual; this many end the work should layers be tangled beyond all reason.
 constexpr int kMostRounds = 400;
 constexpr int kMostPushing = 1500;
+
+constexpr std::size_t kSolvedAtOnce = 16;
 
 /// How much a rule lacks, px.
 double lack(DepthRule const& rule, std::span<double const> x) {
@@ -42,51 +41,56 @@ void add_equality(DepthRule const& rule, std::vector<MatrixEntry>& energy, std::
 /// The rules that push, how hard they do, and where the plates are because of it.
 class Contacts {
  public:
-  Contacts(SparseCholesky const& solver, std::span<DepthRule const> rules, std::vector<double> x)
-      : solver_(solver), rules_(rules), x_(std::move(x)), is_pushing_(rules.size(), 0) {}
+  /// goal: the right-hand side without any pushing
+  Contacts(SparseCholesky const& solver, std::span<DepthRule const> rules, std::vector<double> goal)
+      : solver_(solver), rules_(rules), goal_(std::move(goal)), is_pushing_(rules.size(), 0) {
+    place();
+    free_ = x_;
+  }
 
   std::vector<double> const& x() const { return x_; }
   bool is_pushing(int rule) const { return is_pushing_[rule] != 0; }
   int size() const { return static_cast<int>(pushing_.size()); }
 
-  void add(std::vector<int> const& more);
+  void add(std::span<int const> more);
   /// Finds the forces with which all pushing rules hold; lets go those that would pull. False: nothing moved.
   bool settle();
 
  private:
   void release(int k);
+  void place();
 
   SparseCholesky const& solver_;
   std::span<DepthRule const> rules_;
-  std::vector<double> x_;
+  std::vector<double> goal_;
   std::vector<char> is_pushing_;
   std::vector<int> pushing_;
   std::vector<double> forces_;
-  std::vector<std::vector<double>> answers_;  // how x changes with each force
-  GrowingCholesky compliance_;
+  std::vector<double> free_;    // x without any pushing
+  std::vector<double> x_;       // with it
+  GrowingCholesky compliance_;  // by how much each pushing rule is fulfilled by a force of each
 };
 
-void Contacts::add(std::vector<int> const& more) {
+void Contacts::add(std::span<int const> more) {
   int const columns = static_cast<int>(more.size());
-  std::vector<double> block(x_.size() * more.size(), 0);
+  std::vector<double> answers(x_.size() * more.size(), 0);
   for (int c = 0; c < columns; ++c) {
-    for_each_term(rules_[more[c]], [&](int i, double a) { block[i * columns + c] += a; });
+    for_each_term(rules_[more[c]], [&](int i, double a) { answers[i * columns + c] += a; });
   }
-  solver_.solve(block, columns);
+  solver_.solve(answers, columns);
   for (int c = 0; c < columns; ++c) {
-    auto const& rule = rules_[more[c]];
-    std::vector<double> answer(x_.size());
-    for (std::size_t i = 0; i < x_.size(); ++i) answer[i] = block[i * columns + c];
+    auto const fulfilled = [&](int rule) {
+      double sum = 0;
+      for_each_term(rules_[rule], [&](int i, double a) { sum += a * answers[i * columns + c]; });
+      return sum;
+    };
     std::vector<double> row;
-    for (int const other : pushing_) {
-      row.push_back(rules_[other].near(answer) - rules_[other].far(answer));
-    }
-    row.push_back(rule.near(answer) - rule.far(answer) + 1 / rule.weight);
+    for (int const other : pushing_) row.push_back(fulfilled(other));
+    row.push_back(fulfilled(more[c]) + 1 / rules_[more[c]].weight);
     if (!compliance_.append(std::move(row))) continue;
     pushing_.push_back(more[c]);
     is_pushing_[more[c]] = 1;
     forces_.push_back(0);
-    answers_.push_back(std::move(answer));
   }
 }
 
@@ -95,37 +99,38 @@ void Contacts::release(int k) {
   compliance_.remove(k);
   pushing_.erase(pushing_.begin() + k);
   forces_.erase(forces_.begin() + k);
-  answers_.erase(answers_.begin() + k);
+}
+
+void Contacts::place() {
+  x_ = goal_;
+  for (int k = 0; k < size(); ++k) {
+    for_each_term(rules_[pushing_[k]], [&](int i, double a) { x_[i] += forces_[k] * a; });
+  }
+  solver_.solve(x_);
 }
 
 bool Contacts::settle() {
   bool has_moved = false;
   while (size() > 0) {
-    std::vector<double> change;
-    for (int k = 0; k < size(); ++k) {
-      auto const& rule = rules_[pushing_[k]];
-      change.push_back(lack(rule, x_) - forces_[k] / rule.weight);
-    }
-    compliance_.solve(change);
+    std::vector<double> wanted;
+    for (int const rule : pushing_) wanted.push_back(lack(rules_[rule], free_));
+    compliance_.solve(wanted);
+    // As far towards the wanted forces as all stay pushes.
     double step = 1;
     int first = -1;
     for (int k = 0; k < size(); ++k) {
-      if (forces_[k] + change[k] > 0) continue;
-      double const limit = change[k] < 0 ? forces_[k] / -change[k] : 0;
-      if (limit < step || first < 0) {
-        step = limit;
-        first = k;
-      }
+      if (wanted[k] > 0) continue;
+      double const limit = forces_[k] > 0 ? forces_[k] / (forces_[k] - wanted[k]) : 0;
+      if (first >= 0 && limit >= step) continue;
+      step = limit;
+      first = k;
     }
-    for (int k = 0; k < size() && step > 0; ++k) {
-      double const force = step * change[k];
-      forces_[k] += force;
-      for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += force * answers_[k][i];
-    }
+    for (int k = 0; k < size(); ++k) forces_[k] += step * (wanted[k] - forces_[k]);
     has_moved = has_moved || step > 0;
-    if (first < 0) return has_moved;
+    if (first < 0) break;
     release(first);
   }
+  place();
   return has_moved;
 }
 
@@ -157,27 +162,24 @@ std::vector<int> worst_rules(Contacts const& contacts, std::span<DepthRule const
 
 std::vector<double> solve_depths(int unknown_count, std::vector<MatrixEntry> energy,
                                  std::span<DepthRule const> rules) {
-  std::vector<double> x(unknown_count, 0);
+  std::vector<double> goal(unknown_count, 0);
   for (auto const& rule : rules) {
-    if (rule.is_equality) add_equality(rule, energy, x);
+    if (rule.is_equality) add_equality(rule, energy, goal);
   }
   auto const solver = SparseCholesky::factor(unknown_count, energy);
   if (!solver) return std::vector<double>(unknown_count, 0);  // numbers beyond double
-  solver->solve(x);
-  Contacts contacts(*solver, rules, std::move(x));
+  Contacts contacts(*solver, rules, std::move(goal));
   bool single = false;
-  int round = 0;
-  for (; round < kMostRounds && contacts.size() < kMostPushing; ++round) {
+  for (int round = 0; round < kMostRounds && contacts.size() < kMostPushing; ++round) {
     auto const worst = worst_rules(contacts, rules, single);
     if (worst.empty()) break;
-    contacts.add(worst);
+    for (std::size_t i = 0; i < worst.size(); i += kSolvedAtOnce) {
+      contacts.add(std::span(worst).subspan(i, std::min(kSolvedAtOnce, worst.size() - i)));
+    }
     bool const has_moved = contacts.settle();
     if (!has_moved && single) break;  // as good as rounding allows
     single = !has_moved;
   }
-  if (getenv("DBG"))
-    fprintf(stderr, "rounds %d pushing %d unknowns %d rules %zd\n", round, contacts.size(),
-            unknown_count, rules.size());
   return contacts.x();
 }
 

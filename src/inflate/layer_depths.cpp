@@ -2,8 +2,6 @@
 #include "inflate/layer_depths.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 #include "base/check.h"
@@ -15,20 +13,21 @@ namespace inkflate {
 namespace {
 
 /// Violations of rules count this much, per model size squared.
-double const kRuleWeight = getenv("RW") ? atof(getenv("RW")) : 1e8;
+constexpr double kRuleWeight = 1e8;
 
 /// A limb: legs stay side by side instead of leaning to the middle.
 PlateStiffness stiffness_of_limb(double model_size) {
   double const area = model_size * model_size;
-  return {1, (getenv("LS") ? atof(getenv("LS")) : 16) / area, 0.16 / (area * area)};
+  return {1, 16 / area, 0.16 / (area * area)};
 }
 
-/// A layer that no joint holds.
+/// A layer that no joint holds. Large ones stay where they are and upright; small ones, as eyes are, give way and tilt to follow what
+/// they lie on.
 PlateStiffness stiffness_of_body(double layer_size, double model_size) {
   double const area = model_size * model_size;
-  double const share = layer_size / model_size;
+  double const share = layer_size * layer_size / area;
   double const pull = 1600 / (area * area);
-  return {100, 10 * pull * area * share * share * share * share, pull};
+  return {100 * share, 10 * pull * area * share * share * share, pull * share};
 }
 
 double model_size(FlatModel const& model) {
