@@ -60,8 +60,8 @@ Result<ReadDocument> read_document(std::span<std::byte const> content) {
     case FileFormat::Obj:
     case FileFormat::Stl:
     case FileFormat::ThreeMf:
-      return Error{ErrorCode::Unsupported,
-                   std::string("a model (") + file_format_name(format) + "), which holds no drawing"};
+      return Error{ErrorCode::Unsupported, std::string("a model (") + file_format_name(format) +
+                                               "), which holds no drawing"};
     case FileFormat::Unknown:
       break;
   }
@@ -75,6 +75,12 @@ bool has_layers(ReadDocument const& document) { return !document.project.drawing
 SketchSource sketch_source(ReadDocument const& document) {
   if (document.scan) return *document.scan;
   return document.project.drawing.sketch;
+}
+
+Result<Drawing> closed_drawing(ReadDocument const& document, RunSimplifyOptions const& options,
+                               Progress const& progress) {
+  if (has_layers(document)) return document.project.drawing;
+  return run_simplify(sketch_source(document), options, progress);
 }
 
 }  // namespace inkflate::cli

@@ -17,8 +17,8 @@ namespace inkflate::cli {
 /// What a file holds that can be drawn or inflated, whatever its format.
 struct ReadDocument {
   FileFormat format = FileFormat::Unknown;
-  Project project;              // with layers where the file has them; nothing drawn where there is a scan
-  std::optional<Picture> scan;  // a picture whose strokes are still to be found
+  Project project;  // with layers where the file has them; nothing drawn where there is a scan
+  std::optional<Picture> scan;             // a picture whose strokes are still to be found
   std::vector<std::string> warnings = {};  // what of the file was left out
 };
 
@@ -33,5 +33,11 @@ bool has_layers(ReadDocument const& document);
 
 /// What simplify starts from.
 SketchSource sketch_source(ReadDocument const& document);
+
+/// Its contours: those that it has, or else what simplify makes of it.
+///
+/// errors  those of run_simplify
+Result<Drawing> closed_drawing(ReadDocument const& document, RunSimplifyOptions const& options,
+                               Progress const& progress = {});
 
 }  // namespace inkflate::cli

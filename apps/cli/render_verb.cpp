@@ -10,7 +10,7 @@
 #include "cli/option_values.h"
 #include "cli/output_plan.h"
 #include "cli/progress_line.h"
-#include "cli/read_sketch.h"
+#include "cli/read_document.h"
 #include "cli/verb.h"
 #include "geometry/trig.h"
 #include "io/svg_colour.h"
@@ -129,14 +129,14 @@ Result<Json> render_one(RenderCall const& call, RenderPlan const& plan, int inde
   progress.report("read");
   auto const content = read_file(input);
   if (!content) return content.error();
-  auto const read = read_sketch(*content);
+  auto const read = read_document(*content);
   if (!read) return read.error();
   if (!call.shared.is_quiet) {
     for (auto const& warning : read->warnings) print_warning(input, warning);
   }
   RunSimplifyOptions simplify_options;
   simplify_options.simplify.parts = Parts::Groups;
-  auto const drawing = run_simplify(read->source, simplify_options, progress);
+  auto const drawing = closed_drawing(*read, simplify_options, progress);
   if (!drawing) return drawing.error();
   auto const picture = call.look == Look::Drawing
                            ? picture_of_drawing(*drawing, plan)

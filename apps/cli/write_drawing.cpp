@@ -73,9 +73,9 @@ std::optional<Error> write_drawing_picture(Drawing const& drawing, std::string c
   DrawDrawingOptions const options = {.rough_strokes = RoughStrokes::Faint};
   auto const list =
       drawing.layers.empty() ? draw_sketch(drawing.sketch) : draw_drawing(drawing, options);
-  auto const picture = rasterise(
-      list, static_cast<int>(std::ceil(drawing.sketch.width_px)),
-      static_cast<int>(std::ceil(drawing.sketch.height_px)), palette::kPaper);
+  auto const picture =
+      rasterise(list, static_cast<int>(std::ceil(drawing.sketch.width_px)),
+                static_cast<int>(std::ceil(drawing.sketch.height_px)), palette::kPaper);
   return write_file(path, write_png(picture));
 }
 
