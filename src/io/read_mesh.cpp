@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "io/format.h"
+#include "io/read_3mf.h"
 #include "io/read_glb.h"
 #include "io/read_obj.h"
 #include "io/read_stl.h"
@@ -24,6 +25,7 @@ Error no_mesh(std::span<std::byte const> file) {
 
 Result<MeshReading> read_by_content(std::span<std::byte const> file) {
   if (is_glb(file)) return read_glb(file);
+  if (is_3mf(file)) return read_3mf(file);
   if (is_binary_stl(file)) return read_binary_stl(file);
   std::string_view const text(reinterpret_cast<char const*>(file.data()), file.size());
   if (is_text_stl(text)) return read_text_stl(text);

@@ -37,7 +37,7 @@ planted_faults() {
 
 all_outside_judges() {
   judges_from_npm && make_test_models || return
-  run_judges judge.py --all --red-over-blue $test_models/*.glb $test_models/*.stl $test_models/*.obj
+  run_judges judge.py --all --red-over-blue $test_models/*.glb $test_models/*.stl $test_models/*.obj $test_models/*.3mf
 }
 
 all_planted_faults() {
