@@ -42,15 +42,16 @@ REPAIRS = ["open_edges", "degenerate_facets", "edges_fixed", "facets_removed", "
 
 
 def prusa_slicer(paths, is_print=False):
-    """PrusaSlicer repairs first and then says that all is well, so what it repaired counts, too."""
+    """PrusaSlicer repairs first and then says that all is well, so what it repaired counts, too. It tells of each object apart."""
     verdicts = []
     for path in paths:
         _, text = run(["prusa-slicer", "--info", path])
-        figures = dict(re.findall(r"^(\w+) = +(\S+)", text, re.M))
-        repairs = [f"{name} {figures[name]}" for name in REPAIRS if figures.get(name, "0") != "0"]
-        parts = int(figures.get("number_of_parts", 0))
-        is_good = figures.get("manifold") == "yes" and not repairs and (parts == 1 or not is_print) and parts > 0
-        is_good = is_good and float(figures.get("volume", 0)) > 0
-        said = f"manifold {figures.get('manifold')}, parts {parts}, volume {figures.get('volume')}"
+        objects = [dict(re.findall(r"^(\w+) = +(\S+)", part, re.M)) for part in re.split(r"^\[[^]]*\]$", text, flags=re.M)[1:]]
+        repairs = [f"{name} {figures[name]}" for figures in objects for name in REPAIRS if figures.get(name, "0") != "0"]
+        parts = sum(int(figures.get("number_of_parts", 0)) for figures in objects)
+        volumes = [float(figures.get("volume", 0)) for figures in objects]
+        is_manifold = bool(objects) and all(figures.get("manifold") == "yes" for figures in objects)
+        is_good = is_manifold and not repairs and min(volumes) > 0 and (parts == 1 or not is_print)
+        said = f"manifold {'yes' if is_manifold else 'no'}, parts {parts}, volume {sum(volumes):.0f}"
         verdicts.append(Verdict("PrusaSlicer", path, is_good, "; ".join([said] + repairs)))
     return verdicts
