@@ -96,7 +96,7 @@ MeshReport report_mesh(MeshReading reading, MeshPurpose purpose) {
 Json mesh_report_json(MeshReport const& report) {
   auto const& check = report.check;
   Json json;
-  json["format"] = mesh_format_name(report.reading.format);
+  json["format"] = file_format_name(report.reading.format);
   json["names"] = report.reading.names;
   json["texture"] = report.reading.has_texture;
   json["vertices"] = report.mesh.points.size();
@@ -123,7 +123,7 @@ Json mesh_report_json(MeshReport const& report) {
 
 std::string mesh_report_text(MeshReport const& report, std::string const& file) {
   auto const& check = report.check;
-  std::string text = file + ": " + mesh_format_name(report.reading.format) + ", " +
+  std::string text = file + ": " + file_format_name(report.reading.format) + ", " +
                      std::to_string(report.mesh.points.size()) + " vertices, " +
                      std::to_string(report.mesh.triangles.size()) + " triangles" +
                      (report.reading.has_texture ? ", textured: " : ": ") +

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string_view>
 
-#include "io/format.h"
 #include "io/numbers.h"
 #include "io/read_zip.h"
 #include "io/xml.h"
@@ -180,7 +179,6 @@ Result<Package> read_model(std::string_view text) {
 class Scene {
  public:
   explicit Scene(Package const& package) : package_(package) {
-    reading_.format = MeshFormat::ThreeMf;
     reading_.has_texture = package.has_texture;
   }
 
@@ -233,22 +231,15 @@ class Scene {
   int placed_ = 0;
 };
 
-/// The model of the package; null: this is another kind of archive.
+/// The package's model: where everybody has it, in whatever case.
 ZipEntry const* find_model(std::span<ZipEntry const> entries) {
-  if (auto const* usual = find_entry(entries, "3D/3dmodel.model")) return usual;
   for (auto const& entry : entries) {
-    if (std::string_view(entry.name).ends_with(".model")) return &entry;
+    if (lower_ascii(std::string_view(entry.name)) == "3d/3dmodel.model") return &entry;
   }
   return nullptr;
 }
 
 }  // namespace
-
-bool is_3mf(std::span<std::byte const> file) {
-  if (sniff_format(file) != FileFormat::Zip) return false;
-  auto const entries = read_zip_directory(file);
-  return entries && find_model(*entries) != nullptr;
-}
 
 Result<MeshReading> read_3mf(std::span<std::byte const> file) {
   auto const entries = read_zip_directory(file);

@@ -7,9 +7,6 @@ namespace inkflate {
 
 /// 3MF: the triangles of what is to be printed, in the file's unit; what that holds is described in read_mesh.h. Unsupported: components
 /// of components.
-
-/// Whether the bytes are a zip archive that holds a 3MF model.
-bool is_3mf(std::span<std::byte const> file);
 Result<MeshReading> read_3mf(std::span<std::byte const> file);
 
 }  // namespace inkflate
