@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "cli/batch.h"
-#include "cli/simplify_options.h"
 #include "cli/files.h"
 #include "cli/option_values.h"
 #include "cli/output_plan.h"
 #include "cli/progress_line.h"
 #include "cli/read_sketch.h"
+#include "cli/simplify_options.h"
 #include "cli/verb.h"
 #include "geometry/trig.h"
 #include "io/svg_colour.h"
