@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace inkflate {
 namespace {
@@ -35,12 +36,13 @@ double width_at_middle(Polyline const& run, Contour const& outline) {
   return least;
 }
 
-Opening opening_of(Run const& run, Contour const& outline) {
-  if (run.kind == RunKind::HelpLine) return Opening::Wanted;
-  if (run.kind == RunKind::Ink) return Opening::None;
-  double const gap = distance(run.points.front(), run.points.back());
-  return gap >= kLeastShareOfWidth * width_at_middle(run.points, outline) ? Opening::Possible
-                                                                          : Opening::None;
+/// line: the run's points, finely sampled.
+Opening opening_of(RunKind kind, Polyline const& line, Contour const& outline) {
+  if (kind == RunKind::HelpLine) return Opening::Wanted;
+  if (kind == RunKind::Ink) return Opening::None;
+  double const gap = distance(line.front(), line.back());
+  return gap >= kLeastShareOfWidth * width_at_middle(line, outline) ? Opening::Possible
+                                                                    : Opening::None;
 }
 
 /// Closings that only lead from the ink to a help line belong to it.
@@ -111,7 +113,9 @@ LayerRim layer_rim(Layer const& layer, double step_px) {
     }
     auto const fine_contour = densify(contour, step_px);
     for (auto const& run : runs(outline, tolerance_px)) {
-      rim.runs.push_back({densify(run.points, step_px), opening_of(run, fine_contour)});
+      auto line = densify(run.points, step_px);
+      auto const opening = opening_of(run.kind, line, fine_contour);
+      rim.runs.push_back({std::move(line), opening});
     }
     widen_help_lines(rim.runs);
     rim.runs = merge_runs(std::move(rim.runs));
