@@ -58,6 +58,15 @@ class Sheet:
                 for stroke in hand.passes(curve, passes, self.gaps_on(curve, gaps)):
                     self.add(stroke, INK, width + chance.about(0.6))
 
+    def small(self, *shapes, closed=True, width=2.5):
+        """Contours too small for a swinging arm: two careful passes."""
+        for points in map(self.designed, shapes):
+            chance = self.chance()
+            hand = Hand(chance, drift=1.0, tremor=0.25, flare=1.6, reach=1.8, skip=0)
+            for curve in pieces_of(points, closed):
+                for stroke in hand.passes(curve, 2):
+                    self.add(stroke, INK, width + chance.about(0.4))
+
     def line(self, *shapes, closed=False, width=1.9, colour=INK, loose=1.0):
         """Inner detail: drawn once."""
         for points in map(self.designed, shapes):
@@ -99,6 +108,12 @@ class Sheet:
         for text in places:
             for x, y, _ in parse(text):
                 self.eye(x, y, radius, turns, colour, width)
+
+    def pupil(self, x, y, radius):
+        """A dark filled spot with a glint."""
+        self.eye(x, y, radius - 3, turns=radius / 3, colour=INK, width=6)
+        self.line([(x - 0.4 * radius, y - 0.25 * radius, False), (x - 0.1 * radius, y - 0.5 * radius, False)],
+                  width=4.5, colour=WHITE, loose=0)
 
     def guide(self, *shapes, closed=False):
         """Light construction lines, meant to be ignored."""
