@@ -9,6 +9,8 @@ namespace {
 
 // A cut this close to a node that could not be moved there is kept away from it, or triangles would have no area. Share of a step.
 constexpr double kLeastShare = 0.02;
+// Below a quarter of the lattice's period; see snap_nodes.cpp.
+constexpr double kMostMove = 0.485;
 
 // The four diagonal steps around the axes, counter-clockwise as seen from the tip.
 constexpr std::array<std::array<int, 4>, 3> kAround = {
@@ -30,7 +32,7 @@ class Marcher {
         vertex_of_cut_(static_cast<std::size_t>(cuts.count()), -1),
         vertex_of_snapped_(snapped.places.size(), -1) {}
 
-  TriMesh run() {
+  MarchedMesh run() {
     auto const& lattice = solid_.lattice;
     // Each tetrahedron has one long edge between nodes of even planes. At the rim all is outside.
     for (int k = 2; k + 2 < lattice.planes; k += 2) {
@@ -41,7 +43,7 @@ class Marcher {
         }
       }
     }
-    return std::move(mesh_);
+    return {std::move(mesh_), std::move(anchors_)};
   }
 
  private:
@@ -111,7 +113,8 @@ class Marcher {
 
   int on(Corner const& corner) {
     int const s = snapped_.nodes.find(corner.node);
-    if (vertex_of_snapped_[s] < 0) vertex_of_snapped_[s] = add_point(snapped_.places[s]);
+    if (vertex_of_snapped_[s] < 0) vertex_of_snapped_[s] =
+          add_point({place_of(solid_.lattice.node(corner.node)), {}}, snapped_.places[s]);
     return vertex_of_snapped_[s];
   }
 
@@ -120,9 +123,10 @@ class Marcher {
     auto const start = lattice.node(a.node);
     int const c = cuts_.find(a.node, direction(lattice.node(b.node) - start));
     if (vertex_of_cut_[c] < 0) {
+      Anchor const anchor{place_of(lattice.node(cuts_.node(c))),
+                          place_of(kSteps[cuts_.direction(c)])};
       double const share = std::clamp(cuts_.share(c), kLeastShare, 1 - kLeastShare);
-      vertex_of_cut_[c] = add_point(place_of(lattice.node(cuts_.node(c))) +
-                                    place_of(kSteps[cuts_.direction(c)]) * share);
+      vertex_of_cut_[c] = add_point(anchor, anchor.node + anchor.step * share);
     }
     return vertex_of_cut_[c];
   }
@@ -135,7 +139,8 @@ class Marcher {
     return step.k > 0 ? 4 : 5;
   }
 
-  int add_point(Vec3 place) {
+  int add_point(Anchor const& anchor, Vec3 place) {
+    anchors_.push_back(anchor);
     mesh_.points.push_back(place);
     return static_cast<int>(mesh_.points.size()) - 1;
   }
@@ -165,11 +170,21 @@ class Marcher {
   std::vector<int> vertex_of_snapped_;
   bool is_mirrored_ = false;
   TriMesh mesh_;
+  std::vector<Anchor> anchors_;
 };
 
 }  // namespace
 
-TriMesh march(Solid const& solid, Cuts const& cuts, SnappedNodes const& snapped) {
+Vec3 nearest_allowed(Anchor const& anchor, Vec3 wanted) {
+  Vec3 const away = wanted - anchor.node;
+  double const size = squared_norm(anchor.step);
+  if (size > 0)
+    return anchor.node + anchor.step * std::clamp(dot(away, anchor.step) / size, kLeastShare, 1 - kLeastShare);
+  double const far = norm(away);
+  return far <= kMostMove ? wanted : anchor.node + away * (kMostMove / far);
+}
+
+MarchedMesh march(Solid const& solid, Cuts const& cuts, SnappedNodes const& snapped) {
   return Marcher(solid, cuts, snapped).run();
 }
 

@@ -5,6 +5,7 @@
 
 #include "solidify/march.h"
 #include "solidify/print_space.h"
+#include "solidify/smooth_creases.h"
 
 namespace inkflate {
 namespace {
@@ -51,11 +52,14 @@ Result<TriMesh> solidify(TriMesh const& model, SolidifyOptions const& options,
   if (!progress.enter("move nodes")) return cancelled();
   SnappedNodes const snapped = snap_nodes(solid, cuts);
   if (!progress.enter("march")) return cancelled();
-  TriMesh mesh = march(solid, cuts, snapped);
+  MarchedMesh marched = march(solid, cuts, snapped);
+  if (!progress.enter("smooth creases")) return cancelled();
+  smooth_creases(marched, solid.base);
+  TriMesh& mesh = marched.mesh;
   if (mesh.triangles.empty())
     return Error{ErrorCode::NothingThere, "The model has no inside: there is nothing to print."};
   move_to_mm(mesh, *space, options.has_flat_base);
-  return mesh;
+  return std::move(mesh);
 }
 
 }  // namespace inkflate

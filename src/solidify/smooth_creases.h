@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "solidify/march.h"
+
+namespace inkflate {
+
+/// Rounds the creases in which shells meet, where the lattice leaves teeth: within about a step of the crease. Edges that stick out stay,
+/// and so do points on the base.
+///
+/// in      base: the k on which the mesh stands if it has a flat base; lattice units
+/// out     no triangles cross that did not before
+/// cost    O(n)
+void smooth_creases(MarchedMesh& marched, double base);
+
+}  // namespace inkflate
