@@ -36,10 +36,12 @@ Cuts::Cuts(Solid const& solid)
       if (solid.sides[n] == solid.sides[other]) continue;
       keys.push_back(std::int64_t{n} * kFamilies + f);
       bool const starts_inside = solid.sides[n] == Side::Inside;
-      double const reach = starts_inside
-                               ? solid.reach(lattice.node(n), d)
-                               : 1 - solid.reach(lattice.node(other), opposite_direction(d));
-      shares_.push_back(reach);
+      if (starts_inside) {
+        places_.push_back(solid.reach(lattice.node(n), d));
+      } else {
+        Reach const back = solid.reach(lattice.node(other), opposite_direction(d));
+        places_.push_back({1 - back.share, back.is_of_ball});
+      }
     }
   }
   table_ = KeyTable(std::move(keys), std::int64_t{lattice.node_count()} * kFamilies);

@@ -31,17 +31,19 @@ class Cuts {
 
   /// Its number, for a step that is cut, given from either end.
   int find(int node, int direction) const;
-  int count() const { return static_cast<int>(shares_.size()); }
+  int count() const { return static_cast<int>(places_.size()); }
   int node(int cut) const { return static_cast<int>(table_.keys()[cut] / kFamilies); }
   int direction(int cut) const { return kFamilyDirections[table_.keys()[cut] % kFamilies]; }
   /// How far from its node, as a share of the step.
-  double share(int cut) const { return shares_[cut]; }
+  double share(int cut) const { return places_[cut].share; }
+  /// Whether the surface there is a ball's, not the model's.
+  bool is_of_ball(int cut) const { return places_[cut].is_of_ball; }
 
  private:
   std::array<std::array<int, kDirections>, 2> offsets_;
   int plane_size_ = 1;
   KeyTable table_;
-  std::vector<double> shares_;
+  std::vector<Reach> places_;
 };
 
 }  // namespace inkflate

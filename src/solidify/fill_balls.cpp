@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <cstdint>
+#include <tuple>
 
 namespace inkflate {
 namespace {
@@ -17,6 +18,10 @@ constexpr double kLeastSlope = 0.5;
 // Slits narrower than this are closed; lattice units. Nodes are 1.7 apart.
 constexpr double kSlit = 1.0;
 constexpr double kSlitOverlap = 0.7;
+// One ball is kept in each cell of this size. Wider cells, with dents between the balls, come only when there are very many balls.
+constexpr double kLeastCell = 0.25;
+constexpr std::size_t kMostFound = 2'000'000;
+constexpr double kMostWork = 1e8;
 
 /// One end of a chord between two faces and the way its face looks, away from the chord.
 struct Face {
@@ -57,23 +62,54 @@ class Collector {
   }
 
   std::vector<Ball> take() {
-    std::sort(found_.begin(), found_.end(), [](Found const& a, Found const& b) {
-      if (a.cell != b.cell) return a.cell < b.cell;
-      return a.ball.radius != b.ball.radius ? a.ball.radius > b.ball.radius : a.number < b.number;
-    });
+    thin_out();
+    while (work() > kMostWork) widen();
     std::vector<Ball> balls;
-    for (int f = 0; f < std::ssize(found_); ++f) {
-      if (f == 0 || found_[f].cell != found_[f - 1].cell) balls.push_back(found_[f].ball);
-    }
+    for (auto const& found : found_) balls.push_back(found.ball);
     return balls;
   }
 
  private:
   struct Found {
-    std::array<int, 3> cell;
-    int number;
+    std::int64_t cell = 0;
     Ball ball;
   };
+
+  std::int64_t cell_of(Vec3 centre) const {
+    auto const whole = [&](double x) { return static_cast<std::int64_t>(std::floor(x / cell_)); };
+    constexpr std::int64_t range = 1 << 20;
+    return (whole(centre.z) * range + whole(centre.y)) * range + whole(centre.x);
+  }
+
+  /// Leaves the largest ball of each cell.
+  void thin_out() {
+    for (auto& found : found_) found.cell = cell_of(found.ball.centre);
+    std::sort(found_.begin(), found_.end(), [](Found const& a, Found const& b) {
+      auto const key = [](Found const& f) {
+        return std::tuple(f.cell, -f.ball.radius, f.ball.centre.x, f.ball.centre.y,
+                          f.ball.centre.z);
+      };
+      return key(a) < key(b);
+    });
+    auto const last = std::unique(found_.begin(), found_.end(),
+                                  [](Found const& a, Found const& b) { return a.cell == b.cell; });
+    found_.erase(last, found_.end());
+  }
+
+  void widen() {
+    cell_ *= 1.4;
+    thin_out();
+  }
+
+  /// How many nodes the balls hold, about.
+  double work() const {
+    double sum = 0;
+    for (auto const& [cell, ball] : found_) {
+      double const radius = ball.radius + 1;
+      sum += radius * radius * radius;
+    }
+    return sum;
+  }
 
   static double unit_of(LineSpans const& family) {
     return step_length(family.direction()) == kLongStep ? 1 : kShortStep;
@@ -95,16 +131,15 @@ class Collector {
     double const wanted =
         is_solid ? most : radius + kSlitOverlap * std::min(1.0, 2 * (1 - radius / most));
     Ball const ball{face.place - face.normal * radius, radius + weight * (wanted - radius)};
-    // Cells so small that the dents between balls stay below a fortieth of the radius.
-    double const cell = std::max(0.25, 0.4 * ball.radius);
-    std::array<int, 3> const key = {static_cast<int>(std::floor(ball.centre.x / cell)),
-                                    static_cast<int>(std::floor(ball.centre.y / cell)),
-                                    static_cast<int>(std::floor(ball.centre.z / cell))};
-    found_.push_back({key, static_cast<int>(found_.size()), ball});
+    found_.push_back({0, ball});
+    if (found_.size() < kMostFound) return;
+    thin_out();
+    while (found_.size() > kMostFound / 2) widen();
   }
 
   LatticeMesh const& mesh_;
   double least_ = 0;
+  double cell_ = kLeastCell;
   std::vector<Found> found_;
 };
 

@@ -113,8 +113,10 @@ class Marcher {
 
   int on(Corner const& corner) {
     int const s = snapped_.nodes.find(corner.node);
-    if (vertex_of_snapped_[s] < 0) vertex_of_snapped_[s] =
-          add_point({place_of(solid_.lattice.node(corner.node)), {}}, snapped_.places[s]);
+    if (vertex_of_snapped_[s] < 0)
+      vertex_of_snapped_[s] =
+          add_point({place_of(solid_.lattice.node(corner.node)), {}, snapped_.is_of_ball[s]},
+                    snapped_.places[s]);
     return vertex_of_snapped_[s];
   }
 
@@ -124,7 +126,7 @@ class Marcher {
     int const c = cuts_.find(a.node, direction(lattice.node(b.node) - start));
     if (vertex_of_cut_[c] < 0) {
       Anchor const anchor{place_of(lattice.node(cuts_.node(c))),
-                          place_of(kSteps[cuts_.direction(c)])};
+                          place_of(kSteps[cuts_.direction(c)]), cuts_.is_of_ball(c)};
       double const share = std::clamp(cuts_.share(c), kLeastShare, 1 - kLeastShare);
       vertex_of_cut_[c] = add_point(anchor, anchor.node + anchor.step * share);
     }
@@ -179,7 +181,8 @@ Vec3 nearest_allowed(Anchor const& anchor, Vec3 wanted) {
   Vec3 const away = wanted - anchor.node;
   double const size = squared_norm(anchor.step);
   if (size > 0)
-    return anchor.node + anchor.step * std::clamp(dot(away, anchor.step) / size, kLeastShare, 1 - kLeastShare);
+    return anchor.node +
+           anchor.step * std::clamp(dot(away, anchor.step) / size, kLeastShare, 1 - kLeastShare);
   double const far = norm(away);
   return far <= kMostMove ? wanted : anchor.node + away * (kMostMove / far);
 }

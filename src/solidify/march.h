@@ -10,6 +10,7 @@ namespace inkflate {
 struct Anchor {
   Vec3 node;
   Vec3 step;  // zero: the vertex is a snapped node
+  bool is_of_ball = false;
 };
 
 struct MarchedMesh {

@@ -19,6 +19,7 @@ struct Candidate {
   int node = 0;
   int other = 0;
   Vec3 place;
+  bool is_of_ball = false;
 };
 
 std::vector<Candidate> find_candidates(Solid const& solid, Cuts const& cuts) {
@@ -33,8 +34,11 @@ std::vector<Candidate> find_candidates(Solid const& solid, Cuts const& cuts) {
     if (share > most && 1 - share > most) continue;
     Vec3 const place = place_of(start) + place_of(kSteps[d]) * share;
     int const other = node + offsets[start.k & 1][d];
-    if (share <= most) candidates.push_back({share * step_length(d), node, other, place});
-    if (1 - share <= most) candidates.push_back({(1 - share) * step_length(d), other, node, place});
+    double const length = step_length(d);
+    bool const is_of_ball = cuts.is_of_ball(c);
+    if (share <= most) candidates.push_back({share * length, node, other, place, is_of_ball});
+    if (1 - share <= most)
+      candidates.push_back({(1 - share) * length, other, node, place, is_of_ball});
   }
   std::sort(candidates.begin(), candidates.end(), [](Candidate const& a, Candidate const& b) {
     return std::tie(a.distance, a.node, a.other) < std::tie(b.distance, b.node, b.other);
@@ -81,13 +85,15 @@ SnappedNodes snap_nodes(Solid& solid, Cuts const& cuts) {
   struct Snapped {
     std::int64_t node;
     Vec3 place;
+    bool is_of_ball;
   };
   std::vector<Snapped> snapped;
   Snapper snapper(solid);
   for (auto const& candidate : find_candidates(solid, cuts)) {
     if (solid.sides[candidate.node] == Side::On || solid.sides[candidate.other] == Side::On)
       continue;
-    if (snapper.snap(candidate.node)) snapped.push_back({candidate.node, candidate.place});
+    if (snapper.snap(candidate.node))
+      snapped.push_back({candidate.node, candidate.place, candidate.is_of_ball});
   }
   std::sort(snapped.begin(), snapped.end(),
             [](Snapped const& a, Snapped const& b) { return a.node < b.node; });
@@ -96,6 +102,7 @@ SnappedNodes snap_nodes(Solid& solid, Cuts const& cuts) {
   for (auto const& each : snapped) {
     nodes.push_back(each.node);
     result.places.push_back(each.place);
+    result.is_of_ball.push_back(each.is_of_ball);
   }
   result.nodes = KeyTable(std::move(nodes), solid.lattice.node_count());
   return result;

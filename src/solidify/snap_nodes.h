@@ -12,6 +12,7 @@ namespace inkflate {
 struct SnappedNodes {
   KeyTable nodes;
   std::vector<Vec3> places;
+  std::vector<bool> is_of_ball;  // the surface that a node was moved to
 };
 
 /// Moves nodes that are very close to the surface onto it, so that no small triangles arise there; but only where the surface stays a

@@ -153,7 +153,7 @@ std::array<double, 2> share_in_ball(Ball const& ball, Vec3 from, Vec3 step) {
 
 }  // namespace
 
-double Solid::reach(LatticeNode from, int direction) const {
+Reach Solid::reach(LatticeNode from, int direction) const {
   auto const& family = families[family_of(direction)];
   auto const crossings = family.crossings(family.line(from));
   double const start = family.position(from);
@@ -164,22 +164,26 @@ double Solid::reach(LatticeNode from, int direction) const {
   if (!balls.empty())
     touching = {ball_of_node[lattice.index(from)], ball_of_node[lattice.index(to)]};
   double reached = 0;
+  bool is_of_ball = false;
   for (double before = -1; reached > before && reached < 1;) {
     before = reached;
-    auto const extend = [&](double a, double b) {
-      if (std::min(a, b) <= reached + kRounding) reached = std::max({reached, a, b});
+    auto const extend = [&](double a, double b, bool is_by_ball) {
+      if (std::min(a, b) > reached + kRounding || std::max(a, b) <= reached) return;
+      reached = std::max(a, b);
+      is_of_ball = is_by_ball;
     };
     for (std::size_t c = 0; c + 1 < crossings.size(); c += 2)
-      extend((crossings[c].at - start) * scale, (crossings[c + 1].at - start) * scale);
+      extend((crossings[c].at - start) * scale, (crossings[c + 1].at - start) * scale, false);
     for (int const b : touching) {
       if (b < 0) continue;
       auto const [first, last] =
           share_in_ball(balls[b], place_of(from), place_of(kSteps[direction]));
-      if (first <= last && last > 0) extend(first, last);
+      if (first <= last && last > 0) extend(first, last, true);
     }
   }
-  if (to.k < base) reached = std::min(reached, (from.k - base) / (from.k - to.k));
-  return std::clamp(reached, 0.0, 1.0);
+  double const to_base = to.k < base ? (from.k - base) / (from.k - to.k) : 1;
+  if (reached >= to_base) return {to_base, false};
+  return {std::max(reached, 0.0), is_of_ball};
 }
 
 void label_nodes(Solid& solid) {

@@ -13,6 +13,11 @@ namespace inkflate {
 /// What a lattice node is: outside, on the surface (once it was moved there) or inside.
 enum class Side : std::int8_t { Outside = -1, On = 0, Inside = 1 };
 
+struct Reach {
+  double share = 0;         // of the step, 0 .. 1
+  bool is_of_ball = false;  // a ball's surface is met there, not the model's
+};
+
 /// The union of the shells and the balls, as seen from the lattice. Lattice units.
 struct Solid {
   Lattice lattice;
@@ -23,8 +28,8 @@ struct Solid {
   double base = 0;          // nothing lies below this k
   std::vector<Side> sides;  // per node; what cannot be reached from outside is inside
 
-  /// How far the solid reaches on the way from a node that is inside to its neighbour in direction d that is outside: 0 .. 1.
-  double reach(LatticeNode from, int direction) const;
+  /// How far the solid reaches on the way from a node that is inside to its neighbour in direction d that is outside.
+  Reach reach(LatticeNode from, int direction) const;
 };
 
 /// Finds for each node the side on which it is.
