@@ -28,7 +28,7 @@ std::vector<std::vector<double>> rim_spacing(std::span<Contour const> contours,
 /// Points along a line, about as far apart as wanted there. The first and the last point stay what they are.
 ///
 /// in      line: at least two points; spacing: one length > 0 per point, interpolated between them
-/// out     at least two points, and at least three where the line is closed (last == first)
+/// out     at least two points, and at least four where the line is closed (last == first)
 /// cost    O(n)
 Polyline resample(std::span<Vec2 const> line, std::span<double const> spacing);
 

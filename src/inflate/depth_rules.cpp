@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "inflate/depth_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace inkflate {
+namespace {
+
+/// Twice the distance from which rounding could swap two sheets on the screen or in a file of single precision.
+constexpr double kMarginPx = 0.5;
+
+/// Rims are looked at this often.
+constexpr double kRimSpacingPx = 4;
+
+/// How much softer the middle of a run is held than its ends. The ends are points of the limb's rim and of the host's sheet at once; between
+/// them the limb may rise from the sheet where it would otherwise sink into the host's rim.
+constexpr double kSoftMiddle = 0.01;
+
+/// What two layers have in common.
+struct Pair {
+  int behind = 0;
+  int before = 0;
+  std::vector<Vec2> ends;  // of their joints' runs
+  double width_px = 0;     // of the widest run
+  bool is_mouth = false;
+};
+
+bool overlap(Rect const& a, Rect const& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
+
+Pair describe(FlatModel const& model, int behind, int before) {
+  Pair pair = {behind, before, {}, 0, false};
+  for (auto const& joint : model.joints) {
+    auto const both = std::minmax(joint.limb, joint.host);
+    if (both.first != behind || both.second != before || joint.limb_vertices.empty()) continue;
+    auto const& points = model.layers[joint.limb].mesh.points;
+    pair.ends.push_back(points[joint.limb_vertices.front()]);
+    pair.ends.push_back(points[joint.limb_vertices.back()]);
+    pair.width_px = std::max(pair.width_px, distance(pair.ends.back(), *(pair.ends.end() - 2)));
+    if (joint.kind == Joint::Kind::Mouth) pair.is_mouth = true;
+  }
+  return pair;
+}
+
+/// 0 at the ends of a joint's run, where the two layers meet, and 1 away from them.
+double freedom(Pair const& pair, Vec2 p) {
+  double least = 1;
+  for (auto const end : pair.ends) {
+    least = std::min(least, distance(p, end) / std::max(pair.width_px, 1e-9));
+  }
+  return least;
+}
+
+/// The rule at p, which lies in both layers.
+void add_rule_at(Pair const& pair, std::span<LayerShape const> shapes, Vec2 p, double behind_height,
+                 double before_height, double weight, std::vector<DepthRule>& rules) {
+  double const free = freedom(pair, p);
+  // Two mouths that meet are at one depth: neither can be before the other.
+  if (pair.is_mouth && free < 1) return;
+  rules.push_back({shapes[pair.before].plate.depth(p), shapes[pair.behind].plate.depth(p),
+                   std::abs(behind_height - before_height) + kMarginPx * free, weight, false});
+}
+
+/// Looks up the vertices and the drawn edges of one layer in another. visit(p, own height, other's height)
+template <typename Visit>
+void for_each_common_point(LayerShape const& own, LayerShape const& other, Visit visit) {
+  auto const look = [&](Vec2 p, double height) {
+    if (auto const place = other.grid.find(p)) {
+      visit(p, height, interpolate(other.mesh, other.heights, *place));
+    }
+  };
+  for (std::size_t i = 0; i < own.mesh.points.size(); ++i) {
+    if (own.kinds[i] != VertexKind::Open) look(own.mesh.points[i], own.heights[i]);
+  }
+  for (auto const& t : own.mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      int const a = t[k];
+      int const b = t[(k + 1) % 3];
+      if (own.kinds[a] != VertexKind::Drawn || own.kinds[b] != VertexKind::Drawn) continue;
+      Vec2 const from = own.mesh.points[a];
+      Vec2 const to = own.mesh.points[b];
+      int const pieces = static_cast<int>(std::ceil(distance(from, to) / kRimSpacingPx));
+      for (int n = 1; n < pieces; ++n) look(lerp(from, to, static_cast<double>(n) / pieces), 0);
+    }
+  }
+}
+
+/// Along a slit: the middle of the limb lies on the host's sheet.
+void add_slit_rules(Joint const& joint, std::span<LayerShape const> shapes, double weight,
+                    std::vector<DepthRule>& rules) {
+  auto const& limb = shapes[joint.limb];
+  auto const& host = shapes[joint.host];
+  double const sign = joint.side == Side::Front ? 1 : -1;
+  for (std::size_t i = 0; i < joint.limb_vertices.size(); ++i) {
+    Vec2 const p = limb.mesh.points[joint.limb_vertices[i]];
+    bool const is_end = i == 0 || i + 1 == joint.limb_vertices.size();
+    rules.push_back({limb.plate.depth(p), host.plate.depth(p),
+                     sign * host.heights[joint.host_vertices[i]],
+                     is_end ? weight : weight * kSoftMiddle, true});
+  }
+}
+
+/// Along two mouths that meet: one depth, and one slope across the run.
+void add_mouth_rules(Joint const& joint, std::span<LayerShape const> shapes, double weight,
+                     std::vector<DepthRule>& rules) {
+  auto const& limb = shapes[joint.limb];
+  auto const& host = shapes[joint.host];
+  auto const& points = limb.mesh.points;
+  Vec2 const along = points[joint.limb_vertices.back()] - points[joint.limb_vertices.front()];
+  Vec2 const across = perpendicular(normalized(along));
+  for (int const v : joint.limb_vertices) {
+    rules.push_back({limb.plate.depth(points[v]), host.plate.depth(points[v]), 0, weight, true});
+    rules.push_back({limb.plate.slope(points[v], across), host.plate.slope(points[v], across), 0,
+                     weight * squared_norm(along), true});
+  }
+}
+
+}  // namespace
+
+void add_order_rules(FlatModel const& model, std::span<LayerShape const> shapes, double weight,
+                     std::vector<DepthRule>& rules) {
+  for (int before = 0; before < std::ssize(shapes); ++before) {
+    for (int behind = 0; behind < before; ++behind) {
+      if (!overlap(shapes[behind].grid.box(), shapes[before].grid.box())) continue;
+      auto const pair = describe(model, behind, before);
+      for_each_common_point(shapes[before], shapes[behind], [&](Vec2 p, double own, double other) {
+        add_rule_at(pair, shapes, p, other, own, weight, rules);
+      });
+      for_each_common_point(shapes[behind], shapes[before], [&](Vec2 p, double own, double other) {
+        add_rule_at(pair, shapes, p, own, other, weight, rules);
+      });
+    }
+  }
+}
+
+void add_joint_rules(FlatModel const& model, std::span<LayerShape const> shapes, double weight,
+                     std::vector<DepthRule>& rules) {
+  for (auto const& joint : model.joints) {
+    if (joint.kind == Joint::Kind::Slit) {
+      add_slit_rules(joint, shapes, weight, rules);
+    } else {
+      add_mouth_rules(joint, shapes, weight, rules);
+    }
+  }
+}
+
+}  // namespace inkflate
