@@ -16,10 +16,71 @@ constexpr int kRings = 3;
 constexpr int kRounds = 12;
 constexpr double kPull = 0.5;
 constexpr double kPush = -0.53;  // every other round, for balls
-// Half the side of the cells in which triangles that may meet are looked for.
+// A triangle folded back onto all of its neighbours turns by more than 120 degrees to each.
+constexpr double kFoldedCosine = -0.5;
+// After so many attempts without bounds nothing more is left to them.
+constexpr int kFreeAttempts = 4;
+// Cells in which triangles that may meet are looked for: larger than a triangle.
 constexpr double kCell = 4;
 // Twice the area of a triangle; one of a lattice with cuts in the middle of the steps has 0.5 or more.
 constexpr double kLeastArea = 1e-3;
+
+/// Marks on cells of space, seen from the triangles that touch them.
+class CellMarks {
+ public:
+  explicit CellMarks(TriMesh const& mesh) : mesh_(mesh), low_(mesh.points[0]) {
+    Vec3 high = low_;
+    for (auto const& p : mesh.points) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    size_ = cell_of(high);
+    for (int& size : size_) ++size;
+    marks_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2], false);
+  }
+
+  void mark(int t) {
+    visit(t, [&](std::size_t cell) { marks_[cell] = true; });
+  }
+  bool is_marked(int t) const {
+    bool result = false;
+    visit(t, [&](std::size_t cell) { result = result || marks_[cell]; });
+    return result;
+  }
+
+ private:
+  using Cell = std::array<int, 3>;
+
+  Cell cell_of(Vec3 p) const {
+    auto const whole = [](double x) { return static_cast<int>(x / kCell); };
+    return {whole(p.x - low_.x), whole(p.y - low_.y), whole(p.z - low_.z)};
+  }
+
+  template <typename OnCell>
+  void visit(int t, OnCell const& on_cell) const {
+    auto const& corners = mesh_.triangles[t];
+    Cell first = cell_of(mesh_.points[corners[0]]);
+    Cell last = first;
+    for (int const p : corners) {
+      Cell const cell = cell_of(mesh_.points[p]);
+      for (int axis = 0; axis < 3; ++axis) {
+        first[axis] = std::min(first[axis], cell[axis]);
+        last[axis] = std::max(last[axis], cell[axis]);
+      }
+    }
+    for (int z = first[2]; z <= last[2]; ++z) {
+      for (int y = first[1]; y <= last[1]; ++y) {
+        for (int x = first[0]; x <= last[0]; ++x)
+          on_cell((static_cast<std::size_t>(z) * size_[1] + y) * size_[0] + x);
+      }
+    }
+  }
+
+  TriMesh const& mesh_;
+  Vec3 low_;
+  Cell size_{};
+  std::vector<bool> marks_;
+};
 
 class CreaseSmoother {
   static constexpr std::uint8_t kCrease = 1;
@@ -27,17 +88,27 @@ class CreaseSmoother {
 
  public:
   CreaseSmoother(MarchedMesh& marched, double base)
-      : marched_(marched), mesh_(marched.mesh), base_(base), marks_(mesh_.points.size(), 0) {
+      : marched_(marched),
+        mesh_(marched.mesh),
+        base_(base),
+        marks_(mesh_.points.size(), 0),
+        is_bound_(mesh_.points.size(), false) {
     collect_triangles();
   }
 
   void run() {
     mark();
     auto const before = mesh_.points;
-    for (int round = 0; round < kRounds; ++round) move_all(round, false);
-    if (is_good()) return;
-    mesh_.points = before;
-    for (int round = 0; round < kRounds; ++round) move_all(round, true);
+    for (int attempt = 0; attempt < kFreeAttempts; ++attempt) {
+      for (int round = 0; round < kRounds; ++round) move_all(round);
+      auto const bad = bad_triangles();
+      if (bad.empty() && count_self_crossings(near_moved(), 1) == 0) return;
+      mesh_.points = before;
+      if (bad.empty()) break;
+      bind_around(bad);
+    }
+    is_bound_.assign(is_bound_.size(), true);
+    for (int round = 0; round < kRounds; ++round) move_all(round);
   }
 
  private:
@@ -107,7 +178,7 @@ class CreaseSmoother {
     }
   }
 
-  void move_all(int round, bool is_bound) {
+  void move_all(int round) {
     std::vector<Vec3> places;
     places.reserve(marked_.size());
     for (int const p : marked_) {
@@ -117,7 +188,7 @@ class CreaseSmoother {
       if (now.z <= base_ || wanted.z <= base_)
         places.push_back(now);
       else
-        places.push_back(is_bound ? nearest_allowed(marched_.anchors[p], wanted) : wanted);
+        places.push_back(is_bound_[p] ? nearest_allowed(marched_.anchors[p], wanted) : wanted);
     }
     for (std::size_t m = 0; m < marked_.size(); ++m) mesh_.points[marked_[m]] = places[m];
   }
@@ -127,51 +198,62 @@ class CreaseSmoother {
     return marks_[a] != 0 || marks_[b] != 0 || marks_[c] != 0;
   }
 
-  /// Whether all triangles that moved have an area and cross no other.
-  bool is_good() const {
-    std::vector<int> moved;
-    for (int t = 0; t < std::ssize(mesh_.triangles); ++t) {
-      if (!is_moved(t)) continue;
-      if (!(norm(area_vector(t)) > kLeastArea)) return false;
-      moved.push_back(t);
+  /// Whether a triangle is folded back onto all of its neighbours.
+  bool is_folded(int t) const {
+    Vec3 const normal = normalized(area_vector(t));
+    auto const& corners = mesh_.triangles[t];
+    int folds = 0;
+    for (int c = 0; c < 3; ++c) {
+      int const a = corners[c];
+      int const b = corners[(c + 1) % 3];
+      for (int i = begin_[a]; i < begin_[a + 1]; ++i) {
+        auto const& other = mesh_.triangles[triangles_[i]];
+        if (triangles_[i] == t || std::find(other.begin(), other.end(), b) == other.end()) continue;
+        if (dot(normalized(area_vector(triangles_[i])), normal) < kFoldedCosine) ++folds;
+      }
     }
-    return count_self_crossings(near(moved), 1) == 0;
+    return folds == 3;
   }
 
-  /// The triangles that lie in a cell with one of these.
-  TriMesh near(std::vector<int> const& triangles) const {
-    Vec3 low = mesh_.points[0];
-    Vec3 high = low;
-    for (auto const& p : mesh_.points) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  std::vector<int> bad_triangles() const {
+    std::vector<int> bad;
+    for (int t = 0; t < std::ssize(mesh_.triangles); ++t) {
+      if (is_moved(t) && (!(norm(area_vector(t)) > kLeastArea) || is_folded(t))) bad.push_back(t);
     }
-    auto const cells = [](double size) { return static_cast<int>(size / kCell) + 1; };
-    int const columns = cells(high.x - low.x);
-    int const rows = cells(high.y - low.y);
-    std::vector<bool> is_near(static_cast<std::size_t>(columns) * rows * cells(high.z - low.z));
-    // Triangles are smaller than a cell, so their corners' cells and those between are at most eight.
-    auto const visit = [&](int t, auto const& on_cell) {
-      auto const& [a, b, c] = mesh_.triangles[t];
-      std::array<Vec3, 3> const p = {mesh_.points[a] - low, mesh_.points[b] - low,
-                                     mesh_.points[c] - low};
-      for (int z = cells(std::min({p[0].z, p[1].z, p[2].z})) - 1;
-           z < cells(std::max({p[0].z, p[1].z, p[2].z})); ++z) {
-        for (int y = cells(std::min({p[0].y, p[1].y, p[2].y})) - 1;
-             y < cells(std::max({p[0].y, p[1].y, p[2].y})); ++y) {
-          for (int x = cells(std::min({p[0].x, p[1].x, p[2].x})) - 1;
-               x < cells(std::max({p[0].x, p[1].x, p[2].x})); ++x)
-            on_cell((z * rows + y) * columns + x);
+    return bad;
+  }
+
+  /// From now on the points around these triangles only go where they cannot do harm.
+  void bind_around(std::vector<int> const& triangles) {
+    std::vector<int> points;
+    for (int const t : triangles) {
+      for (int const p : mesh_.triangles[t]) points.push_back(p);
+    }
+    for (int ring = 0; ring <= kRings; ++ring) {
+      for (std::size_t m = 0, count = points.size(); m < count; ++m) {
+        if (ring > 0) {
+          for (int i = begin_[points[m]]; i < begin_[points[m] + 1]; ++i) {
+            for (int const q : mesh_.triangles[triangles_[i]]) {
+              if (!is_bound_[q]) points.push_back(q);
+              is_bound_[q] = true;
+            }
+          }
         }
+        is_bound_[points[m]] = true;
       }
-    };
-    for (int const t : triangles) visit(t, [&](int cell) { is_near[cell] = true; });
+    }
+  }
+
+  /// The triangles that lie in a cell with one that moved.
+  TriMesh near_moved() const {
+    CellMarks cells(mesh_);
     TriMesh result;
     result.points = mesh_.points;
     for (int t = 0; t < std::ssize(mesh_.triangles); ++t) {
-      bool is_wanted = false;
-      visit(t, [&](int cell) { is_wanted = is_wanted || is_near[cell]; });
-      if (is_wanted) result.triangles.push_back(mesh_.triangles[t]);
+      if (is_moved(t)) cells.mark(t);
+    }
+    for (int t = 0; t < std::ssize(mesh_.triangles); ++t) {
+      if (cells.is_marked(t)) result.triangles.push_back(mesh_.triangles[t]);
     }
     return result;
   }
@@ -180,6 +262,7 @@ class CreaseSmoother {
   TriMesh& mesh_;
   double base_;
   std::vector<std::uint8_t> marks_;
+  std::vector<bool> is_bound_;
   std::vector<int> marked_;
   std::vector<int> begin_;      // per point, into triangles_
   std::vector<int> triangles_;  // around each point
