@@ -50,7 +50,7 @@ Region sampled(Layer const& layer) {
 }
 
 RC_GTEST_PROP(MeshRegion, WhatSimplifyMakesIsMeshed, (std::uint64_t seed)) {
-  auto const sketch = place_sketch(random_sketch(seed), {});
+  auto const sketch = place_sketch(random_sketch(seed), {1000.0, PlaceMode::FitStrokes});
   RC_PRE(sketch.has_value());
   auto const drawing = simplify(*sketch);
   RC_PRE(drawing.has_value());
