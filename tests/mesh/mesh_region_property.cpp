@@ -6,7 +6,6 @@
 
 #include "geometry/crossings.h"
 #include "mesh/mesh_region.h"
-#include "mesh/rim_spacing.h"
 #include "pipeline/place_sketch.h"
 #include "simplify/simplify.h"
 #include "support/regions.h"
@@ -26,36 +25,13 @@ RC_GTEST_PROP(MeshRegion, EveryLawHoldsOrTheRegionCrossesItself, (std::uint64_t 
   RC_ASSERT(!contains(region.contours[0], region.contours[1][0]));
 }
 
-/// A layer as a region: its outlines sampled evenly, then as the spacing says.
-Region sampled(Layer const& layer) {
-  constexpr double fine_px = 2;
-  auto const closed = [](Contour contour) {
-    contour.push_back(contour.front());
-    return contour;
-  };
-  std::vector<Contour> fine;
-  for (auto const& outline : layer.outlines) {
-    auto const line = closed(flatten(outline, 0.1));
-    fine.push_back(resample(line, std::vector<double>(line.size(), fine_px)));
-    fine.back().pop_back();
-  }
-  auto spacing = rim_spacing(fine);
-  Region region;
-  for (std::size_t i = 0; i < fine.size(); ++i) {
-    spacing[i].push_back(spacing[i].front());
-    region.contours.push_back(resample(closed(fine[i]), spacing[i]));
-    region.contours.back().pop_back();
-  }
-  return region;
-}
-
 RC_GTEST_PROP(MeshRegion, WhatSimplifyMakesIsMeshed, (std::uint64_t seed)) {
   auto const sketch = place_sketch(random_sketch(seed), {1000.0, PlaceMode::FitStrokes});
   RC_PRE(sketch.has_value());
   auto const drawing = simplify(*sketch);
   RC_PRE(drawing.has_value());
   for (auto const& layer : drawing->layers) {
-    auto const region = sampled(layer);
+    auto const region = region_of(layer);
     RC_PRE(find_crossings(region.contours, 1).empty());
     auto const mesh = mesh_region(region);
     RC_ASSERT(mesh.has_value());

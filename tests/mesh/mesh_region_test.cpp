@@ -10,7 +10,10 @@
 #include "base/hash.h"
 #include "geometry/trig.h"
 #include "mesh/dynamic_triangulation.h"
+#include "pipeline/place_sketch.h"
+#include "simplify/simplify.h"
 #include "support/regions.h"
+#include "support/sketches.h"
 
 namespace inkflate {
 namespace {
@@ -62,6 +65,23 @@ TEST(MeshRegion, EveryLawHoldsOnRandomPolygons) {
     refused += mesh ? 0 : 1;
   }
   EXPECT_LT(refused, 100);
+}
+
+TEST(MeshRegion, EveryLawHoldsOnWhatSimplifyMakes) {
+  int layers = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    auto const sketch = place_sketch(random_sketch(seed), {1000.0, PlaceMode::FitStrokes});
+    auto const drawing = sketch ? simplify(*sketch) : sketch.error();
+    if (!drawing) continue;
+    for (auto const& layer : drawing->layers) {
+      auto const region = region_of(layer);
+      auto const mesh = mesh_region(region);
+      ASSERT_TRUE(mesh.has_value()) << "seed " << seed << ": " << mesh.error().message;
+      EXPECT_EQ(what_is_wrong(region, *mesh), "") << "seed " << seed;
+      ++layers;
+    }
+  }
+  EXPECT_GT(layers, 10);
 }
 
 TEST(MeshRegion, NoAngleIsSmallAwayFromSharpCorners) {
