@@ -31,7 +31,7 @@ struct BakeOptions {
 ///         are plain
 /// out     no triangle comes nearer than `padding` to the border of its rectangle
 /// cost    about 40 ms for 5 layers of 1000 px; memory: the picture and 2 MB
-/// source  docs/algorithms/texture.md
+/// source  docs/algorithms/render.md
 Texture bake_texture(Drawing const& drawing, RestModel const& model,
                      BakeOptions const& options = {});
 
