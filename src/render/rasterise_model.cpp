@@ -170,14 +170,21 @@ class ModelRasteriser {
     auto const normal = surface_normal(list_, grid_, triangle, middle.x, middle.y);
     if (!texture_) return sum.add(clay_colour(normal), count);
     auto const light = soft_light(normal);
-    auto const& places = list_.corners[static_cast<std::size_t>(triangle)];
+    // Places on the texture run evenly across a triangle: three give all.
+    Vec2 const origin = texture_place(triangle, corner);
+    Vec2 const across = texture_place(triangle, corner + Vec2{1, 0}) - origin;
+    Vec2 const down = texture_place(triangle, corner + Vec2{0, 1}) - origin;
     for (int i = 0; i < kSamples; ++i) {
       if (!(samples >> i & 1U)) continue;
-      Vec2 const sample = corner + offset(i);
-      auto const w = grid_.weights(triangle, sample.x, sample.y);
-      Vec2 const place = w[0] * places[0] + w[1] * places[1] + w[2] * places[2];
+      Vec2 const place = origin + offset(i).x * across + offset(i).y * down;
       sum.add(clamped(light.factor * sample_texture(*texture_, place) + light.gloss));
     }
+  }
+
+  Vec2 texture_place(int triangle, Vec2 sample) const {
+    auto const weights = grid_.weights(triangle, sample.x, sample.y);
+    auto const& [a, b, c] = list_.corners[static_cast<std::size_t>(triangle)];
+    return weights[0] * a + weights[1] * b + weights[2] * c;
   }
 
   static Rgb clamped(Rgb c) {

@@ -62,12 +62,13 @@ SampleGrid::Corners SampleGrid::corners(int triangle) const {
 }
 
 std::array<double, 3> SampleGrid::weights(int triangle, double x, double y) const {
-  auto const [places, area] = corners(triangle);
+  auto const corner = corners(triangle);
   Place const p = {static_cast<std::int64_t>(x * kUnit), static_cast<std::int64_t>(y * kUnit)};
-  auto const share = [&](Place const& a, Place const& b) {
-    return static_cast<double>(double_area(a, b, p)) / static_cast<double>(area);
+  auto const whole = static_cast<double>(corner.double_area);
+  auto const share = [&](std::size_t a, std::size_t b) {
+    return static_cast<double>(double_area(corner.places[a], corner.places[b], p)) / whole;
   };
-  return {share(places[1], places[2]), share(places[2], places[0]), share(places[0], places[1])};
+  return {share(1, 2), share(2, 0), share(0, 1)};
 }
 
 std::array<int, 2> SampleGrid::rows(int triangle) const {

@@ -23,7 +23,8 @@ class SampleGrid {
   int width() const { return width_; }    // samples
   int height() const { return height_; }  // samples
 
-  /// The weights of a triangle's corners at a place on the grid; their sum is 1. The place lies inside.
+  /// The weights of the corners of a triangle that is seen, at a place on the grid; their sum is 1, and inside of it none is
+  /// negative.
   std::array<double, 3> weights(int triangle, double x, double y) const;
 
   /// Its corners run against the clock on the screen.

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/layer_rims.h"
+
+#include <gtest/gtest.h>
+
+#include "support/render_models.h"
+
+namespace inkflate {
+namespace {
+
+TEST(LayerRims, TheRimOfABallIsOneClosedLine) {
+  auto model = empty_model(400, 400);
+  add_ball(model, {{200, 200}, 100, 0, 6, 24});
+  add_ball(model, {{220, 200}, 50, 90, 4, 12});
+  auto const rims = layer_rims(model);
+  ASSERT_EQ(rims.size(), 2U);
+  ASSERT_EQ(rims[0].size(), 1U);
+  ASSERT_EQ(rims[1].size(), 1U);
+  EXPECT_EQ(rims[0][0].size(), 25U);
+  EXPECT_EQ(rims[0][0].front(), rims[0][0].back());
+  for (auto const point : rims[0][0]) EXPECT_NEAR(distance(point, {200, 200}), 100, 1e-9);
+  for (auto const point : rims[1][0]) EXPECT_NEAR(distance(point, {220, 200}), 50, 1e-9);
+}
+
+TEST(LayerRims, AnOpenRunEndsTheLine) {
+  auto model = empty_model(400, 400);
+  add_ball(model, {{200, 200}, 100, 0, 6, 24});
+  // Without the outermost triangles between sectors 0 and 3 the sheets do not meet there.
+  auto const is_kept = [&](std::size_t t) {
+    int on_rim = 0;
+    for (int const corner : model.mesh.triangles[t]) on_rim += corner <= 3 ? 1 : 0;
+    return on_rim < 2;
+  };
+  RestModel open = model;
+  open.mesh.triangles.clear();
+  open.faces.clear();
+  for (std::size_t t = 0; t < model.faces.size(); ++t) {
+    if (!is_kept(t)) continue;
+    open.mesh.triangles.push_back(model.mesh.triangles[t]);
+    open.faces.push_back(model.faces[t]);
+  }
+  auto const rims = layer_rims(open);
+  ASSERT_EQ(rims.size(), 1U);
+  ASSERT_EQ(rims[0].size(), 1U);
+  EXPECT_EQ(rims[0][0].size(), 22U);
+  EXPECT_NEAR(distance(rims[0][0].front(), model.canvas[3]), 0, 1e-9);
+  EXPECT_NEAR(distance(rims[0][0].back(), model.canvas[0]), 0, 1e-9);
+}
+
+TEST(LayerRims, WithoutTrianglesThereIsNone) { EXPECT_TRUE(layer_rims({}).empty()); }
+
+}  // namespace
+}  // namespace inkflate
