@@ -48,12 +48,21 @@ double steepness(RestModel const& model, SheetEdge const& edge) {
   return height < kSteepest * flat_height ? std::max(height / flat_height, 1.0) : kSteepest;
 }
 
+/// Caps of open runs stand upright on the canvas: two of their corners are at the same place.
+bool is_cap(RestModel const& model, Triangle const& corners) {
+  auto const place = [&](std::size_t k) {
+    return model.canvas[static_cast<std::size_t>(corners[k])];
+  };
+  return place(0) == place(1) || place(1) == place(2) || place(2) == place(0);
+}
+
 /// Edges of the front that have one of the back at their other side; by layer, then by their first vertex.
 std::vector<RimEdge> rim_edges(RestModel const& model) {
   std::vector<SheetEdge> edges;
   for (std::size_t t = 0; t < model.faces.size(); ++t) {
     auto const [layer, side] = model.faces[t];
     auto const& corners = model.mesh.triangles[t];
+    if (is_cap(model, corners)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       int const a = corners[k];
       int const b = corners[(k + 1) % 3];

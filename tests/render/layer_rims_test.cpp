@@ -49,6 +49,21 @@ TEST(LayerRims, AnOpenRunEndsTheLine) {
   EXPECT_NEAR(distance(rims[0][0].points.back(), model.canvas[0]), 0, 1e-9);
 }
 
+TEST(LayerRims, ACapIsNoPartOfIt) {
+  // A box seen from the front whose right side is a cap between front (0 .. 3) and back (4 .. 7).
+  RestModel box = empty_model(10, 10);
+  for (double const z : {1.0, -1.0}) {
+    for (Vec2 const place : std::vector<Vec2>{{2, 2}, {2, 8}, {8, 8}, {8, 2}}) {
+      box.mesh.points.push_back({place.x - 5, 5 - place.y, z});
+      box.canvas.push_back(place);
+    }
+  }
+  box.mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}, {3, 2, 6}, {3, 6, 7}};
+  box.faces = {{0, Side::Front}, {0, Side::Front}, {0, Side::Back},
+               {0, Side::Back},  {0, Side::Back},  {0, Side::Front}};
+  EXPECT_TRUE(layer_rims(box)[0].empty());
+}
+
 TEST(LayerRims, SteepnessIsThatOfTheOutermostTriangles) {
   auto model = empty_model(400, 400);
   add_ball(model, {{200, 200}, 100, 0, 6, 360});
