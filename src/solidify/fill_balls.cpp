@@ -15,8 +15,8 @@ constexpr double kOpposedInFull = 0.4;
 constexpr double kOpposed = 0.2;
 // A chord this oblique to the faces says little about what lies between them. Of the seven directions one is always within 36 degrees.
 constexpr double kLeastSlope = 0.5;
-// Slits narrower than this are closed; lattice units. Nodes are 1.7 apart.
-constexpr double kSlit = 1.0;
+// Slits narrower than this are closed, or the lattice would leave tunnels in them; lattice units.
+constexpr double kSlit = 2;
 constexpr double kSlitOverlap = 0.7;
 // One ball is kept in each cell of this size. Wider cells, with dents between the balls, come only when there are very many balls.
 constexpr double kLeastCell = 0.25;
