@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solidify/node_runs.h"
+#include "solidify/node_stretches.h"
 
 namespace inkflate {
 namespace {
@@ -61,45 +61,45 @@ void mark_ball(Solid& solid, int b) {
 
 void fill_voids(Solid& solid) {
   // The lattice's rim is all outside, its first node with it.
-  NodeRuns const outside(solid.lattice, solid.sides, Side::Outside);
-  for (int r = 0; r < std::ssize(outside.runs()); ++r) {
+  NodeStretches const outside(solid.lattice, solid.sides, Side::Outside);
+  for (int r = 0; r < std::ssize(outside.stretches()); ++r) {
     if (outside.piece(r) == 0) continue;
-    auto const& run = outside.runs()[r];
-    auto const row = solid.sides.begin() + std::ptrdiff_t{run.row} * solid.lattice.columns;
-    std::fill(row + run.first, row + run.last + 1, Side::Inside);
+    auto const& stretch = outside.stretches()[r];
+    auto const row = solid.sides.begin() + std::ptrdiff_t{stretch.row} * solid.lattice.columns;
+    std::fill(row + stretch.first, row + stretch.last + 1, Side::Inside);
   }
 }
 
-/// Calls with each shell that some of the run's nodes lie in.
+/// Calls with each shell that some of the stretch's nodes lie in.
 template <typename OnShell>
-void for_shells(Solid const& solid, std::span<int const> shell_of_triangle, NodeRun const& run,
-                OnShell const& on_shell) {
-  int const first = run.row * solid.lattice.columns + run.first;
-  for (int n = first; n <= first + run.last - run.first && !solid.balls.empty(); ++n) {
+void for_shells(Solid const& solid, std::span<int const> shell_of_triangle,
+                NodeStretch const& stretch, OnShell const& on_shell) {
+  int const first = stretch.row * solid.lattice.columns + stretch.first;
+  for (int n = first; n <= first + stretch.last - stretch.first && !solid.balls.empty(); ++n) {
     if (solid.ball_of_node[n] >= 0)
       on_shell(shell_of_triangle[solid.balls[solid.ball_of_node[n]].triangle]);
   }
   auto const start = solid.lattice.node(first);
   auto const crossings = solid.families[0].crossings(solid.families[0].line(start));
   for (auto const& crossing : crossings) {
-    bool const is_near =
-        crossing.at >= start.i - 2 && crossing.at <= start.i + 2 * (run.last - run.first) + 2;
+    bool const is_near = crossing.at >= start.i - 2 &&
+                         crossing.at <= start.i + 2 * (stretch.last - stretch.first) + 2;
     if (is_near && crossing.triangle >= 0) on_shell(shell_of_triangle[crossing.triangle]);
   }
 }
 
 /// Takes away small pieces that belong to shells of which a larger piece is there.
 void drop_crumbs(Solid& solid, std::span<int const> shell_of_triangle) {
-  NodeRuns const inside(solid.lattice, solid.sides, Side::Inside);
+  NodeStretches const inside(solid.lattice, solid.sides, Side::Inside);
   if (inside.piece_count() < 2) return;
-  auto const& runs = inside.runs();
+  auto const& stretches = inside.stretches();
   std::vector<double> sizes(static_cast<std::size_t>(inside.piece_count()), 0);
-  for (int r = 0; r < std::ssize(runs); ++r)
-    sizes[inside.piece(r)] += runs[r].last - runs[r].first + 1;
+  for (int r = 0; r < std::ssize(stretches); ++r)
+    sizes[inside.piece(r)] += stretches[r].last - stretches[r].first + 1;
   std::vector<int> main_piece(shell_of_triangle.size(), -1);  // per shell
   auto const for_all = [&](auto const& on_shell) {
-    for (int r = 0; r < std::ssize(runs); ++r)
-      for_shells(solid, shell_of_triangle, runs[r],
+    for (int r = 0; r < std::ssize(stretches); ++r)
+      for_shells(solid, shell_of_triangle, stretches[r],
                  [&](int shell) { on_shell(shell, inside.piece(r)); });
   };
   for_all([&](int shell, int piece) {
@@ -113,10 +113,10 @@ void drop_crumbs(Solid& solid, std::span<int const> shell_of_triangle) {
   for (auto const& ball : solid.balls) largest = std::max(largest, ball.radius);
   // Each node stands for four cubic units; so a ball holds about as many nodes as its radius has cubic units.
   double const most = kCrumbNodes + kCrumbBalls * largest * largest * largest;
-  for (int r = 0; r < std::ssize(runs); ++r) {
+  for (int r = 0; r < std::ssize(stretches); ++r) {
     if (is_kept[inside.piece(r)] || sizes[inside.piece(r)] > most) continue;
-    auto const row = solid.sides.begin() + std::ptrdiff_t{runs[r].row} * solid.lattice.columns;
-    std::fill(row + runs[r].first, row + runs[r].last + 1, Side::Outside);
+    auto const row = solid.sides.begin() + std::ptrdiff_t{stretches[r].row} * solid.lattice.columns;
+    std::fill(row + stretches[r].first, row + stretches[r].last + 1, Side::Outside);
   }
 }
 

@@ -6,7 +6,7 @@
 #include "solidify/fill_balls.h"
 #include "solidify/lattice.h"
 #include "solidify/line_spans.h"
-#include "solidify/node_runs.h"
+#include "solidify/node_stretches.h"
 
 namespace inkflate {
 

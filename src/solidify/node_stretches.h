@@ -11,21 +11,21 @@ namespace inkflate {
 enum class Side : std::int8_t { Outside = -1, On = 0, Inside = 1 };
 
 /// Consecutive nodes of one row that are on the same side.
-struct NodeRun {
+struct NodeStretch {
   int row = 0;
   int first = 0;  // columns
   int last = 0;
 };
 
-/// The nodes on one side as runs, and which of them hang together by steps of the lattice.
-class NodeRuns {
+/// The nodes on one side as stretches, and which of them hang together by steps of the lattice.
+class NodeStretches {
  public:
   /// cost    O(nodes)
-  NodeRuns(Lattice const& lattice, std::vector<Side> const& sides, Side side);
+  NodeStretches(Lattice const& lattice, std::vector<Side> const& sides, Side side);
 
-  std::vector<NodeRun> const& runs() const { return runs_; }
-  /// The number of the piece that a run belongs to: 0 is that of the first run.
-  int piece(int run) const { return pieces_[run]; }
+  std::vector<NodeStretch> const& stretches() const { return stretches_; }
+  /// The number of the piece that a stretch belongs to: 0 is that of the first one.
+  int piece(int stretch) const { return pieces_[stretch]; }
   int piece_count() const { return piece_count_; }
 
  private:
@@ -33,10 +33,10 @@ class NodeRuns {
   void join_neighbours();
   void join_rows(int row, int other_row, int least_shift, int most_shift);
   void number_pieces();
-  int root(int run);
+  int root(int stretch);
 
   Lattice lattice_;
-  std::vector<NodeRun> runs_;
+  std::vector<NodeStretch> stretches_;
   std::vector<int> begin_;  // per row
   std::vector<int> parents_;
   std::vector<int> pieces_;
