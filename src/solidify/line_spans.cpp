@@ -108,7 +108,7 @@ bool LineSpans::scan_triangle(Projection const& shape, int t, std::vector<Hit>& 
 void LineSpans::scan_row(Projection const& shape, int t, Point2 first, std::int64_t last_u,
                          std::vector<Hit>& hits) const {
   auto const& p = shape.corners;
-  auto [u, v] = first;
+  std::int64_t const v = first[1];
   double const scale = 1.0 / (static_cast<double>(shape.area) * kQuanta);
   std::array<std::int64_t, 3> turns{};
   std::array<std::int64_t, 3> least{};
@@ -116,11 +116,11 @@ void LineSpans::scan_row(Projection const& shape, int t, Point2 first, std::int6
   for (int c = 0; c < 3; ++c) {
     Point2 const a = p[(c + 1) % 3];
     Point2 const b = p[(c + 2) % 3];
-    turns[c] = turn(a, b, {u * kQuanta, v * kQuanta});
+    turns[c] = turn(a, b, {first[0] * kQuanta, v * kQuanta});
     least[c] = least_turn(a, b);
     steps[c] = -2 * kQuanta * (b[1] - a[1]);
   }
-  for (; u <= last_u; u += 2) {
+  for (std::int64_t u = first[0]; u <= last_u; u += 2) {
     if (turns[0] >= least[0] && turns[1] >= least[1] && turns[2] >= least[2]) {
       double const position = (static_cast<double>(turns[0]) * shape.along[0] +
                                static_cast<double>(turns[1]) * shape.along[1] +

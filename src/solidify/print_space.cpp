@@ -94,7 +94,8 @@ Box turned_box(TriMesh const& model) {
 }
 
 std::int64_t to_quanta(double units) {
-  return 2 * static_cast<std::int64_t>(std::floor(units * (kQuanta / 2))) + 1;
+  constexpr double half = static_cast<double>(kQuanta) / 2;
+  return 2 * static_cast<std::int64_t>(std::floor(units * half)) + 1;
 }
 
 /// The model's box at the corner, scaled and rounded.
