@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simplify/limb_mouths.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "simplify/cut_parts.h"
+#include "simplify/mouth_chords.h"
+
+namespace inkflate {
+namespace {
+
+// What a mouth must add, as a share of the limb's area, and of the square of the mouth's width: less is a bulge, not a stretch of limb.
+constexpr double kLeastGrowth = 0.03;
+constexpr double kLeastStretch = 0.2;
+
+// The same for strokes that have enclosed nothing so far; a flat foot is an arc.
+constexpr double kLeastArc = 0.08;
+
+// And in any case, work px squared.
+constexpr double kLeastAreaPx2 = 150;
+
+// Of the new limb's strokes must lie beyond the other parts: a smile in a group of its own is no limb of the head.
+constexpr double kOutsideShare = 0.4;
+
+// Strokes nearer than this hang together, work px.
+constexpr double kTouchPx = 7;
+
+// A limb that is closed anew still has its old outline within it, or no farther outside than this, work px.
+constexpr double kMovedPx = 16;
+constexpr double kKeptShare = 0.95;
+
+// More mouths at one limb are not looked for.
+constexpr int kMostMouths = 4;
+
+/// Strokes that are closed together.
+struct Limb {
+  std::vector<int> strokes;
+  int layer = -1;  // of its group; -1: the strokes have enclosed nothing
+};
+
+/// A chord, and by how much it makes the limb larger, work px squared.
+struct Candidate {
+  MouthChord mouth;
+  double gain_px2;
+};
+
+/// Splits strokes into those that touch one another.
+std::vector<Limb> touching_strokes(Sketch const& sketch, std::vector<int> const& strokes,
+                                   WorkSpace const& space) {
+  auto const samples = sample_strokes(sketch, strokes, space, kTouchPx / 2);
+  auto const& points = samples.points;
+  std::vector<Vec2> positions;
+  for (auto const& point : points) positions.push_back(point.position);
+  PointGrid const grid(positions, kTouchPx);
+  std::vector<int> starts;           // per stroke that has samples: its first, and the end
+  std::vector<int> place_of_sample;  // among those strokes
+  for (int k = 0; k < std::ssize(points); ++k) {
+    if (k == 0 || points[k].stroke != points[k - 1].stroke) starts.push_back(k);
+    place_of_sample.push_back(static_cast<int>(std::ssize(starts)) - 1);
+  }
+  starts.push_back(static_cast<int>(std::ssize(points)));
+  std::vector<Limb> limbs;
+  std::vector<std::uint8_t> is_found(starts.size(), 0);
+  for (int seed = 0; seed + 1 < std::ssize(starts); ++seed) {
+    if (is_found[seed] != 0) continue;
+    std::vector<int> found = {seed};
+    is_found[seed] = 1;
+    for (std::size_t next = 0; next < found.size(); ++next) {
+      for (int k = starts[found[next]]; k < starts[found[next] + 1]; ++k) {
+        grid.near(positions[k], kTouchPx, [&](int other) {
+          int const neighbour = place_of_sample[other];
+          if (is_found[neighbour] != 0 || distance(positions[k], positions[other]) > kTouchPx)
+            return;
+          is_found[neighbour] = 1;
+          found.push_back(neighbour);
+        });
+      }
+    }
+    std::sort(found.begin(), found.end());
+    for (int& place : found) place = points[starts[place]].stroke;
+    limbs.push_back({std::move(found), -1});
+  }
+  return limbs;
+}
+
+/// Closes the limbs of one group.
+class MouthCloser {
+ public:
+  MouthCloser(Sketch const& sketch, std::span<LayerArea const* const> hosts, WorkSpace const& space,
+              SimplifyOptions const& options, Progress const& progress)
+      : sketch_(sketch),
+        hosts_(hosts),
+        space_(space),
+        options_(options),
+        progress_(progress),
+        quiet_{{}, progress.is_cancelled} {}
+
+  /// The layers of the limb with its mouths closed; none: nothing is gained.
+  Result<std::vector<Layer>> close(Limb const& limb, LayerArea const* own) const {
+    auto const samples = sample_strokes(sketch_, limb.strokes, space_, kCutSpacingPx);
+    double const longest = options_.gap_px ? *options_.gap_px * space_.to_work
+                                           : std::numeric_limits<double>::infinity();
+    auto const mouths = mouth_chords(loose_ends(sketch_, samples), hosts_, own, longest);
+    if (mouths.empty() || (own == nullptr && !reaches_outside(samples)))
+      return std::vector<Layer>{};
+    if (!progress_.enter("mouths")) return cancelled();
+    auto chosen = choose(samples, mouths, own);
+    if (!chosen) return chosen.error();
+    if (chosen->empty()) return std::vector<Layer>{};
+    auto const cut = cut_along(samples, *chosen);
+    if (!cut) return cut.error();
+    if (own != nullptr && !keeps(*own, *cut)) return std::vector<Layer>{};
+    return fit_parts(*cut, space_, options_.smooth, quiet_);
+  }
+
+ private:
+  static Error cancelled() { return {ErrorCode::Cancelled, "stopped on request"}; }
+
+  bool reaches_outside(StrokeSamples const& samples) const {
+    auto const outside = std::count_if(
+        samples.points.begin(), samples.points.end(), [&](StrokeSample const& sample) {
+          return std::none_of(hosts_.begin(), hosts_.end(),
+                              [&](LayerArea const* host) { return host->holds(sample.position); });
+        });
+    return static_cast<double>(outside) >=
+           kOutsideShare * static_cast<double>(samples.points.size());
+  }
+
+  /// Empty where an inside mark lies beyond the limb: that one stays as it is.
+  Result<CutParts> cut_along(StrokeSamples samples, std::vector<Chord> const& chords) const {
+    int stroke = static_cast<int>(std::ssize(sketch_.strokes));
+    for (auto const& chord : chords) append_chord(chord, stroke++, samples);
+    auto cut = cut_parts(sketch_, std::move(samples), space_, options_, quiet_);
+    if (!cut && cut.error().code == ErrorCode::BadOption) return CutParts{};
+    return cut;
+  }
+
+  /// The chords that make the limb clearly larger, the best one first; no end twice.
+  Result<std::vector<Chord>> choose(StrokeSamples const& samples,
+                                    std::vector<MouthChord> const& mouths,
+                                    LayerArea const* own) const {
+    auto const before = cut_along(samples, {});
+    if (!before) return before.error();
+    double base = area_px2(*before);
+    if (own != nullptr) base = std::max(base, signed_area(own->contour()));
+    std::vector<Candidate> candidates;
+    for (auto const& mouth : mouths) {
+      auto const cut = cut_along(samples, {mouth.chord});
+      if (!cut) return cut.error();
+      double const gain = area_px2(*cut) - base;
+      if (is_enough(gain, mouth.chord, base, own)) candidates.push_back({mouth, gain});
+    }
+    std::stable_sort(
+        candidates.begin(), candidates.end(),
+        [](Candidate const& a, Candidate const& b) { return a.gain_px2 > b.gain_px2; });
+    std::vector<Chord> chosen;
+    std::vector<int> used;
+    for (auto const& candidate : candidates) {
+      auto const& [chord, a, b] = candidate.mouth;
+      bool const is_free = std::none_of(used.begin(), used.end(),
+                                        [a = a, b = b](int end) { return end == a || end == b; });
+      if (!is_free || std::ssize(chosen) == kMostMouths) continue;
+      chosen.push_back(chord);
+      auto const cut = cut_along(samples, chosen);
+      if (!cut) return cut.error();
+      double const area = area_px2(*cut);
+      if (is_enough(area - base, chord, base, own)) {
+        base = area;
+        used.insert(used.end(), {a, b});
+      } else {
+        chosen.pop_back();
+      }
+    }
+    return chosen;
+  }
+
+  static bool is_enough(double gain, Chord const& chord, double base, LayerArea const* own) {
+    double const stretch = own != nullptr ? kLeastStretch : kLeastArc;
+    double const width = squared_norm(chord.to - chord.from);
+    return gain >= std::max({kLeastGrowth * base, stretch * width, kLeastAreaPx2});
+  }
+
+  /// Whether the limb as it was is a part of what it has become.
+  static bool keeps(LayerArea const& own, CutParts const& cut) {
+    std::vector<Contour> outers;
+    std::vector<Vec2> all;
+    for (auto const& part : cut.parts) {
+      outers.push_back(positions(part.front(), cut.cells.samples));
+      all.insert(all.end(), outers.back().begin(), outers.back().end());
+    }
+    PointGrid const grid(all, kMovedPx);
+    auto const kept = std::count_if(own.contour().begin(), own.contour().end(), [&](Vec2 p) {
+      return grid.any_near(p, kMovedPx, [&](int i) {
+        return squared_norm(all[i] - p) <= kMovedPx * kMovedPx;
+      }) || std::any_of(outers.begin(), outers.end(), [&](Contour const& outer) {
+               return contains(outer, p);
+             });
+    });
+    return static_cast<double>(kept) >= kKeptShare * static_cast<double>(own.contour().size());
+  }
+
+  Sketch const& sketch_;
+  std::span<LayerArea const* const> hosts_;
+  WorkSpace const& space_;
+  SimplifyOptions const& options_;
+  Progress const& progress_;
+  Progress quiet_;
+};
+
+double area(Layer const& layer, double tolerance_px) {
+  return signed_area(flatten(layer.outlines.front(), tolerance_px));
+}
+
+std::vector<int> without(std::vector<bool> const& is_faint, std::vector<int> strokes) {
+  std::erase_if(strokes, [&](int s) { return is_faint[s]; });
+  std::sort(strokes.begin(), strokes.end());
+  return strokes;
+}
+
+std::vector<Limb> limbs_of(Sketch const& sketch, GroupShapes const& group,
+                           std::vector<bool> const& is_faint, WorkSpace const& space) {
+  std::vector<Limb> limbs;
+  for (int k = 0; k < std::ssize(group.layers); ++k) {
+    auto strokes = group.layers[k].strokes;
+    auto const& details = group.layers[k].details;
+    strokes.insert(strokes.end(), details.begin(), details.end());
+    limbs.push_back({without(is_faint, std::move(strokes)), k});
+  }
+  if (group.strokes.empty()) return limbs;
+  auto const loose = touching_strokes(sketch, without(is_faint, group.stray), space);
+  limbs.insert(limbs.end(), loose.begin(), loose.end());
+  return limbs;
+}
+
+/// Closes the mouths of one group; none: the group stays as it is.
+Result<std::optional<std::vector<Layer>>> close_group(
+    Sketch const& sketch, GroupShapes const& group, std::span<LayerArea const> own,
+    std::vector<bool> const& is_faint, WorkSpace const& space, MouthCloser const& closer) {
+  std::vector<Layer> layers;
+  bool is_changed = false;
+  for (auto const& limb : limbs_of(sketch, group, is_faint, space)) {
+    auto closed = closer.close(limb, limb.layer >= 0 ? &own[limb.layer] : nullptr);
+    if (!closed) return closed.error();
+    is_changed = is_changed || !closed->empty();
+    if (closed->empty() && limb.layer >= 0) layers.push_back(group.layers[limb.layer]);
+    for (auto& layer : *closed) layers.push_back(std::move(layer));
+  }
+  if (!is_changed) return std::optional<std::vector<Layer>>();
+  for (auto& layer : layers) {
+    layer.strokes.clear();
+    layer.details.clear();
+  }
+  double const tolerance_px = 0.5 * space.to_canvas;
+  std::stable_sort(layers.begin(), layers.end(), [&](Layer const& a, Layer const& b) {
+    return area(a, tolerance_px) > area(b, tolerance_px);
+  });
+  return std::optional(std::move(layers));
+}
+
+}  // namespace
+
+Result<std::vector<int>> close_limb_mouths(Sketch const& sketch, std::vector<bool> const& is_faint,
+                                           WorkSpace const& space, SimplifyOptions const& options,
+                                           Progress const& progress,
+                                           std::vector<GroupShapes>& groups) {
+  std::vector<int> changed;
+  if (groups.size() < 2) return changed;
+  std::vector<std::vector<LayerArea>> areas;
+  for (auto const& group : groups) {
+    areas.emplace_back();
+    for (auto const& layer : group.layers) areas.back().emplace_back(layer, space);
+  }
+  std::vector<std::optional<std::vector<Layer>>> results;
+  for (int g = 0; g < std::ssize(groups); ++g) {
+    std::vector<LayerArea const*> hosts;
+    for (int other = 0; other < std::ssize(groups); ++other) {
+      for (auto const& area : areas[other]) {
+        if (other != g) hosts.push_back(&area);
+      }
+    }
+    MouthCloser const closer(sketch, hosts, space, options, progress);
+    auto layers = close_group(sketch, groups[g], areas[g], is_faint, space, closer);
+    if (!layers) return layers.error();
+    results.push_back(*std::move(layers));
+  }
+  for (int g = 0; g < std::ssize(groups); ++g) {
+    if (!results[g]) continue;
+    groups[g].layers = *std::move(results[g]);
+    changed.push_back(g);
+  }
+  return changed;
+}
+
+}  // namespace inkflate
