@@ -2,7 +2,6 @@
 #include "simplify/limb_mouths.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -26,9 +25,6 @@ constexpr double kLeastAreaPx2 = 150;
 // Of the new limb's strokes must lie beyond the other parts: a smile in a group of its own is no limb of the head.
 constexpr double kOutsideShare = 0.4;
 
-// Strokes nearer than this hang together, work px.
-constexpr double kTouchPx = 7;
-
 // A limb that is closed anew still has its old outline within it, or no farther outside than this, work px.
 constexpr double kMovedPx = 16;
 constexpr double kKeptShare = 0.95;
@@ -36,56 +32,11 @@ constexpr double kKeptShare = 0.95;
 // More mouths at one limb are not looked for.
 constexpr int kMostMouths = 4;
 
-/// Strokes that are closed together.
-struct Limb {
-  std::vector<int> strokes;
-  int layer = -1;  // of its group; -1: the strokes have enclosed nothing
-};
-
 /// A chord, and by how much it makes the limb larger, work px squared.
 struct Candidate {
   MouthChord mouth;
   double gain_px2;
 };
-
-/// Splits strokes into those that touch one another.
-std::vector<Limb> touching_strokes(Sketch const& sketch, std::vector<int> const& strokes,
-                                   WorkSpace const& space) {
-  auto const samples = sample_strokes(sketch, strokes, space, kTouchPx / 2);
-  auto const& points = samples.points;
-  std::vector<Vec2> positions;
-  for (auto const& point : points) positions.push_back(point.position);
-  PointGrid const grid(positions, kTouchPx);
-  std::vector<int> starts;           // per stroke that has samples: its first, and the end
-  std::vector<int> place_of_sample;  // among those strokes
-  for (int k = 0; k < std::ssize(points); ++k) {
-    if (k == 0 || points[k].stroke != points[k - 1].stroke) starts.push_back(k);
-    place_of_sample.push_back(static_cast<int>(std::ssize(starts)) - 1);
-  }
-  starts.push_back(static_cast<int>(std::ssize(points)));
-  std::vector<Limb> limbs;
-  std::vector<std::uint8_t> is_found(starts.size(), 0);
-  for (int seed = 0; seed + 1 < std::ssize(starts); ++seed) {
-    if (is_found[seed] != 0) continue;
-    std::vector<int> found = {seed};
-    is_found[seed] = 1;
-    for (std::size_t next = 0; next < found.size(); ++next) {
-      for (int k = starts[found[next]]; k < starts[found[next] + 1]; ++k) {
-        grid.near(positions[k], kTouchPx, [&](int other) {
-          int const neighbour = place_of_sample[other];
-          if (is_found[neighbour] != 0 || distance(positions[k], positions[other]) > kTouchPx)
-            return;
-          is_found[neighbour] = 1;
-          found.push_back(neighbour);
-        });
-      }
-    }
-    std::sort(found.begin(), found.end());
-    for (int& place : found) place = points[starts[place]].stroke;
-    limbs.push_back({std::move(found), -1});
-  }
-  return limbs;
-}
 
 /// Closes the limbs of one group.
 class MouthCloser {
@@ -215,34 +166,14 @@ double area(Layer const& layer, double tolerance_px) {
   return signed_area(flatten(layer.outlines.front(), tolerance_px));
 }
 
-std::vector<int> without(std::vector<bool> const& is_faint, std::vector<int> strokes) {
-  std::erase_if(strokes, [&](int s) { return is_faint[s]; });
-  std::sort(strokes.begin(), strokes.end());
-  return strokes;
-}
-
-std::vector<Limb> limbs_of(Sketch const& sketch, GroupShapes const& group,
-                           std::vector<bool> const& is_faint, WorkSpace const& space) {
-  std::vector<Limb> limbs;
-  for (int k = 0; k < std::ssize(group.layers); ++k) {
-    auto strokes = group.layers[k].strokes;
-    auto const& details = group.layers[k].details;
-    strokes.insert(strokes.end(), details.begin(), details.end());
-    limbs.push_back({without(is_faint, std::move(strokes)), k});
-  }
-  if (group.strokes.empty()) return limbs;
-  auto const loose = touching_strokes(sketch, without(is_faint, group.stray), space);
-  limbs.insert(limbs.end(), loose.begin(), loose.end());
-  return limbs;
-}
-
 /// Closes the mouths of one group; none: the group stays as it is.
 Result<std::optional<std::vector<Layer>>> close_group(
     Sketch const& sketch, GroupShapes const& group, std::span<LayerArea const> own,
     std::vector<bool> const& is_faint, WorkSpace const& space, MouthCloser const& closer) {
+  if (group.strokes.empty()) return std::optional<std::vector<Layer>>();
   std::vector<Layer> layers;
   bool is_changed = false;
-  for (auto const& limb : limbs_of(sketch, group, is_faint, space)) {
+  for (auto const& limb : group_limbs(sketch, group, is_faint, space)) {
     auto closed = closer.close(limb, limb.layer >= 0 ? &own[limb.layer] : nullptr);
     if (!closed) return closed.error();
     is_changed = is_changed || !closed->empty();

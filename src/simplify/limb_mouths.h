@@ -5,18 +5,11 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "simplify/group_limbs.h"
 #include "simplify/simplify.h"
 #include "simplify/work_space.h"
 
 namespace inkflate {
-
-/// A group of strokes and what it encloses.
-struct GroupShapes {
-  std::vector<int>
-      strokes;  // all of the group, indices into Sketch::strokes; empty: it takes no part
-  std::vector<Layer> layers;  // with their outlines, strokes and details; largest first
-  std::vector<int> stray;     // those of the strokes that are in no layer
-};
 
 /// Closes limbs where they are open towards another part. A limb is often drawn as a tube whose two sides end in the body; the cut closes it only if
 /// its sides pay for the width of the mouth, and drops what lies before the nearest cross line otherwise. But there the other part covers
