@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/read_inkflate.h"
+#include "io/read_monster_mash.h"
 #include "io/read_picture.h"
 #include "io/read_scap.h"
 #include "io/read_svg.h"
@@ -53,6 +54,7 @@ Result<ReadDocument> read_document(std::span<std::byte const> content) {
     case FileFormat::Inkflate:
       return from(read_inkflate(content), format);
     case FileFormat::MonsterMash:
+      return from(read_monster_mash(content), format);
     case FileFormat::Zip:
       return Error{ErrorCode::Unsupported,
                    "a zip archive that is neither an Inkflate nor a Monster Mash project"};
@@ -75,6 +77,12 @@ bool has_layers(ReadDocument const& document) { return !document.project.drawing
 SketchSource sketch_source(ReadDocument const& document) {
   if (document.scan) return *document.scan;
   return document.project.drawing.sketch;
+}
+
+Result<Drawing> closed_drawing(ReadDocument const& document, RunSimplifyOptions const& options,
+                               Progress const& progress) {
+  if (has_layers(document)) return document.project.drawing;
+  return run_simplify(sketch_source(document), options, progress);
 }
 
 }  // namespace inkflate::cli

@@ -34,5 +34,6 @@ struct Verb {
 Verb declare_simplify(CLI::App& program);
 Verb declare_inflate(CLI::App& program);
 Verb declare_render(CLI::App& program);
+Verb declare_check(CLI::App& program);
 
 }  // namespace inkflate::cli
