@@ -148,12 +148,4 @@ Result<CutParts> cut_parts(Sketch const& sketch, StrokeSamples samples, WorkSpac
   return result;
 }
 
-double area_px2(CutParts const& cut) {
-  double sum = 0;
-  for (auto const& part : cut.parts) {
-    for (auto const& rim : part) sum += signed_area(positions(rim, cut.cells.samples));
-  }
-  return sum;
-}
-
 }  // namespace inkflate

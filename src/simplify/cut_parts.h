@@ -29,9 +29,6 @@ struct CutParts {
 Result<CutParts> cut_parts(Sketch const& sketch, StrokeSamples samples, WorkSpace const& space,
                            SimplifyOptions const& options, Progress const& progress);
 
-/// Of all parts without their holes, work px.
-double area_px2(CutParts const& cut);
-
 /// Centres and smooths the rims: one layer for each part, with outlines and nothing else.
 ///
 /// errors  Cancelled

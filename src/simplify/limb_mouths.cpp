@@ -19,7 +19,12 @@ constexpr double kLeastStretch = 0.2;
 // The same for strokes that have enclosed nothing so far; a flat foot is an arc.
 constexpr double kLeastArc = 0.08;
 
-// And in any case, work px squared.
+// Of a mouth's width must become outline that was none before: the sides of the stretch. A bay between two tips that are over another part has
+// none, for its rim is outline already.
+constexpr double kLeastSides = 0.4;
+constexpr double kSameLinePx = 8;
+
+// In any case a mouth must add this much, work px squared.
 constexpr double kLeastAreaPx2 = 150;
 
 // Of the new limb's strokes must lie beyond the other parts: a smile in a group of its own is no limb of the head.
@@ -32,11 +37,33 @@ constexpr double kKeptShare = 0.95;
 // More mouths at one limb are not looked for.
 constexpr int kMostMouths = 4;
 
+/// What a limb encloses, and how much ink encloses it where its outline has not been before.
+struct Extent {
+  double area_px2 = 0;
+  double new_ink_px = 0;
+};
+
 /// A chord, and by how much it makes the limb larger, work px squared.
 struct Candidate {
   MouthChord mouth;
   double gain_px2;
 };
+
+Extent measure(CutParts const& cut, LayerArea const* own) {
+  Extent extent;
+  for (auto const& part : cut.parts) {
+    for (auto const& rim : part) {
+      auto const contour = positions(rim, cut.cells.samples);
+      extent.area_px2 += signed_area(contour);
+      for (std::size_t i = 0; i < rim.size(); ++i) {
+        if (rim[i].to_next == RunKind::Closing) continue;
+        if (own != nullptr && own->is_at_rim(contour[i], kSameLinePx)) continue;
+        extent.new_ink_px += distance(contour[i], contour[(i + 1) % contour.size()]);
+      }
+    }
+  }
+  return extent;
+}
 
 /// Closes the limbs of one group.
 class MouthCloser {
@@ -96,14 +123,15 @@ class MouthCloser {
                                     LayerArea const* own) const {
     auto const before = cut_along(samples, {});
     if (!before) return before.error();
-    double base = area_px2(*before);
-    if (own != nullptr) base = std::max(base, signed_area(own->contour()));
+    auto base = measure(*before, own);
+    if (own != nullptr) base.area_px2 = std::max(base.area_px2, signed_area(own->contour()));
     std::vector<Candidate> candidates;
     for (auto const& mouth : mouths) {
       auto const cut = cut_along(samples, {mouth.chord});
       if (!cut) return cut.error();
-      double const gain = area_px2(*cut) - base;
-      if (is_enough(gain, mouth.chord, base, own)) candidates.push_back({mouth, gain});
+      auto const extent = measure(*cut, own);
+      if (is_enough(base, extent, mouth.chord, own))
+        candidates.push_back({mouth, extent.area_px2 - base.area_px2});
     }
     std::stable_sort(
         candidates.begin(), candidates.end(),
@@ -118,9 +146,9 @@ class MouthCloser {
       chosen.push_back(chord);
       auto const cut = cut_along(samples, chosen);
       if (!cut) return cut.error();
-      double const area = area_px2(*cut);
-      if (is_enough(area - base, chord, base, own)) {
-        base = area;
+      auto const extent = measure(*cut, own);
+      if (is_enough(base, extent, chord, own)) {
+        base = extent;
         used.insert(used.end(), {a, b});
       } else {
         chosen.pop_back();
@@ -129,10 +157,13 @@ class MouthCloser {
     return chosen;
   }
 
-  static bool is_enough(double gain, Chord const& chord, double base, LayerArea const* own) {
-    double const stretch = own != nullptr ? kLeastStretch : kLeastArc;
-    double const width = squared_norm(chord.to - chord.from);
-    return gain >= std::max({kLeastGrowth * base, stretch * width, kLeastAreaPx2});
+  static bool is_enough(Extent const& before, Extent const& after, Chord const& chord,
+                        LayerArea const* own) {
+    double const width = distance(chord.from, chord.to);
+    double const stretch = (own != nullptr ? kLeastStretch : kLeastArc) * width * width;
+    return after.area_px2 - before.area_px2 >=
+               std::max({kLeastGrowth * before.area_px2, stretch, kLeastAreaPx2}) &&
+           after.new_ink_px - before.new_ink_px >= kLeastSides * width;
   }
 
   /// Whether the limb as it was is a part of what it has become.
