@@ -82,7 +82,7 @@ class MouthCloser {
     auto const samples = sample_strokes(sketch_, limb.strokes, space_, kCutSpacingPx);
     double const longest = options_.gap_px ? *options_.gap_px * space_.to_work
                                            : std::numeric_limits<double>::infinity();
-    auto const mouths = mouth_chords(loose_ends(sketch_, samples), hosts_, own, longest);
+    auto const mouths = mouth_chords(samples, loose_ends(sketch_, samples), hosts_, own, longest);
     if (mouths.empty() || (own == nullptr && !reaches_outside(samples)))
       return std::vector<Layer>{};
     if (!progress_.enter("mouths")) return cancelled();

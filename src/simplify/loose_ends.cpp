@@ -36,8 +36,8 @@ class EndFinder {
         length += distance(points_[last].position, points_[last + 1].position);
       if (!is_help(first) && length >= kLeastLengthPx) {
         int const reach = std::min(kDirectionReach, last - first);
-        if (is_loose(first, first + reach)) ends.push_back({points_[first].position, length});
-        if (is_loose(last, last - reach)) ends.push_back({points_[last].position, length});
+        if (is_loose(first, first + reach)) ends.push_back({first, 1, length});
+        if (is_loose(last, last - reach)) ends.push_back({last, -1, length});
       }
       first = last + 1;
     }

@@ -9,8 +9,9 @@ namespace inkflate {
 
 /// An end of a stroke beyond which the drawing does not go on.
 struct LooseEnd {
-  Vec2 position;         // work px
-  double length_px = 0;  // of its stroke
+  int sample = 0;        // its own, the first or last one of the stroke
+  int back = 1;          // from there to the stroke's next sample: 1 or -1
+  double length_px = 0;  // of its stroke, work px
 
   friend bool operator==(LooseEnd const&, LooseEnd const&) = default;
 };

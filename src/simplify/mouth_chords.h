@@ -16,13 +16,16 @@ struct MouthChord {
   int end_b = 0;
 };
 
-/// The chords along which a limb may be closed: both ends lie in one host or just short of it, and most of the way between them does.
+/// The chords along which a limb may be closed. Both ends lie in one host or just short of it, and most of the way between them does; the strokes lead
+/// some way to the ends beyond what the limb encloses already, and the chord lies beyond that, too.
 ///
-/// in      ends: of a limb's strokes; hosts: the areas of other groups; own: of the limb so far, null when it encloses nothing
-/// out     every such pair of ends once, shorter than longest_px; ends well within the limb's own area are none. Of too many ends those
-///         of the longest strokes are taken
+/// in      samples: of the limb's strokes; ends: their loose ones; hosts: the areas of other groups; own: of the limb so far, null when it
+///         encloses nothing
+/// out     every such pair of ends once, shorter than longest_px; of too many ends those of the longest strokes are taken, of too many
+///         chords those with the longest sides for their length
 /// cost    O(ends * outline points), then O(pairs * outline points) for at most 66 pairs per host
-std::vector<MouthChord> mouth_chords(std::vector<LooseEnd> const& ends,
+std::vector<MouthChord> mouth_chords(StrokeSamples const& samples,
+                                     std::vector<LooseEnd> const& ends,
                                      std::span<LayerArea const* const> hosts, LayerArea const* own,
                                      double longest_px);
 
