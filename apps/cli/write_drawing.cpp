@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "cli/files.h"
+#include "cli/output_plan.h"
 #include "io/read_picture.h"
 #include "io/write_inkflate.h"
 #include "io/write_monster_mash.h"
@@ -38,8 +38,7 @@ std::optional<Error> check_picture_size(Sketch const& canvas) {
 
 Result<DrawingFormat> drawing_format(std::string const& path) {
   if (path == kStandardStream) return DrawingFormat::Svg;
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+  auto const extension = lower_extension(path);
   if (extension == ".svg") return DrawingFormat::Svg;
   if (extension == ".png") return DrawingFormat::Mask;
   if (extension == ".inkflate") return DrawingFormat::Inkflate;
