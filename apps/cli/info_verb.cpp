@@ -9,6 +9,8 @@
 #include "cli/read_document.h"
 #include "cli/verb.h"
 #include "geometry/polyline.h"
+#include "io/numbers.h"
+#include "io/svg_colour.h"
 
 namespace inkflate::cli {
 namespace {
@@ -22,7 +24,7 @@ Json size_json(double width, double height) { return {{"width", width}, {"height
 
 Json look_json(std::string const& name, std::optional<Colour> const& fill, double thickness) {
   Json json = {{"name", name}, {"thickness", thickness}};
-  if (fill) json["fill"] = {fill->r, fill->g, fill->b, fill->a};
+  if (fill) json["fill"] = colour_hex(*fill);
   return json;
 }
 
@@ -106,13 +108,19 @@ std::string quoted(Json const& name) {
   return name.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string number(Json const& value) {
+  std::string text;
+  append_rounded(text, value.get<double>());
+  return text;
+}
+
 std::string sides(Json const& size) {
-  return size["width"].dump() + " x " + size["height"].dump() + " px";
+  return number(size["width"]) + " x " + number(size["height"]) + " px";
 }
 
 std::string look_text(Json const& part) {
-  std::string text = ", thickness " + part["thickness"].dump();
-  if (part.contains("fill")) text += ", colour " + part["fill"].dump();
+  std::string text = ", thickness " + number(part["thickness"]);
+  if (part.contains("fill")) text += ", colour " + part["fill"].get<std::string>();
   return text;
 }
 
