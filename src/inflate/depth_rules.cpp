@@ -30,16 +30,24 @@ bool overlap(Rect const& a, Rect const& b) {
   return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
-Pair describe(FlatModel const& model, int behind, int before) {
+/// What two layers that may overlap have in common. Of two that a slit joins, the sheet of the host tells which is before the other.
+Pair describe(FlatModel const& model, std::vector<int> const& joints, int behind, int before) {
   Pair pair = {behind, before, {}, 0, false};
-  for (auto const& joint : model.joints) {
-    auto const both = std::minmax(joint.limb, joint.host);
-    if (both.first != behind || both.second != before || joint.limb_vertices.empty()) continue;
+  for (int const i : joints) {
+    auto const& joint = model.joints[i];
+    int const other = joint.limb == before ? joint.host : joint.limb;
+    if (other != behind) continue;
     auto const& points = model.layers[joint.limb].mesh.points;
-    pair.ends.push_back(points[joint.limb_vertices.front()]);
-    pair.ends.push_back(points[joint.limb_vertices.back()]);
-    pair.width_px = std::max(pair.width_px, distance(pair.ends.back(), *(pair.ends.end() - 2)));
-    if (joint.kind == Joint::Kind::Mouth) pair.is_mouth = true;
+    Vec2 const from = points[joint.limb_vertices.front()];
+    Vec2 const to = points[joint.limb_vertices.back()];
+    pair.ends.insert(pair.ends.end(), {from, to});
+    pair.width_px = std::max(pair.width_px, distance(from, to));
+    if (joint.kind == Joint::Kind::Mouth) {
+      pair.is_mouth = true;
+    } else {
+      pair.before = joint.side == Side::Front ? joint.limb : joint.host;
+      pair.behind = joint.side == Side::Front ? joint.host : joint.limb;
+    }
   }
   return pair;
 }
@@ -55,12 +63,13 @@ double freedom(Pair const& pair, Vec2 p) {
 
 /// The rule at p, which lies in both layers.
 void add_rule_at(Pair const& pair, std::span<LayerShape const> shapes, Vec2 p, double behind_height,
-                 double before_height, double weight, std::vector<DepthRule>& rules) {
+                 double before_height, double weight, int group, std::vector<DepthRule>& rules) {
   double const free = freedom(pair, p);
   // Two mouths that meet are at one depth: neither can be before the other.
   if (pair.is_mouth && free < 1) return;
   rules.push_back({shapes[pair.before].plate.depth(p), shapes[pair.behind].plate.depth(p),
-                   std::abs(behind_height - before_height) + kMarginPx * free, weight, false});
+                   std::abs(behind_height - before_height) + kMarginPx * free, weight, false,
+                   group});
 }
 
 /// Looks up the vertices and the drawn edges of one layer in another. visit(p, own height, other's height)
@@ -98,7 +107,7 @@ void add_slit_rules(Joint const& joint, std::span<LayerShape const> shapes, doub
     bool const is_end = i == 0 || i + 1 == joint.limb_vertices.size();
     rules.push_back({limb.plate.depth(p), host.plate.depth(p),
                      sign * host.heights[joint.host_vertices[i]],
-                     is_end ? weight : weight * kSoftMiddle, true});
+                     is_end ? weight : weight * kSoftMiddle, true, 0});
   }
 }
 
@@ -111,9 +120,9 @@ void add_mouth_rules(Joint const& joint, std::span<LayerShape const> shapes, dou
   Vec2 const along = points[joint.limb_vertices.back()] - points[joint.limb_vertices.front()];
   Vec2 const across = perpendicular(normalized(along));
   for (int const v : joint.limb_vertices) {
-    rules.push_back({limb.plate.depth(points[v]), host.plate.depth(points[v]), 0, weight, true});
+    rules.push_back({limb.plate.depth(points[v]), host.plate.depth(points[v]), 0, weight, true, 0});
     rules.push_back({limb.plate.slope(points[v], across), host.plate.slope(points[v], across), 0,
-                     weight * squared_norm(along), true});
+                     weight * squared_norm(along), true, 0});
   }
 }
 
@@ -121,16 +130,26 @@ void add_mouth_rules(Joint const& joint, std::span<LayerShape const> shapes, dou
 
 void add_order_rules(FlatModel const& model, std::span<LayerShape const> shapes, double weight,
                      std::vector<DepthRule>& rules) {
-  for (int before = 0; before < std::ssize(shapes); ++before) {
-    for (int behind = 0; behind < before; ++behind) {
-      if (!overlap(shapes[behind].grid.box(), shapes[before].grid.box())) continue;
-      auto const pair = describe(model, behind, before);
-      for_each_common_point(shapes[before], shapes[behind], [&](Vec2 p, double own, double other) {
-        add_rule_at(pair, shapes, p, other, own, weight, rules);
+  std::vector<std::vector<int>> joints(shapes.size());  // of each layer
+  for (int i = 0; i < std::ssize(model.joints); ++i) {
+    if (model.joints[i].limb_vertices.empty()) continue;
+    joints[model.joints[i].limb].push_back(i);
+    joints[model.joints[i].host].push_back(i);
+  }
+  int group = 0;
+  for (int j = 0; j < std::ssize(shapes); ++j) {
+    for (int i = 0; i < j; ++i) {
+      if (!overlap(shapes[i].grid.box(), shapes[j].grid.box())) continue;
+      auto const pair = describe(model, joints[j], i, j);
+      auto const& behind = shapes[pair.behind];
+      auto const& before = shapes[pair.before];
+      for_each_common_point(before, behind, [&](Vec2 p, double own, double other) {
+        add_rule_at(pair, shapes, p, other, own, weight, group, rules);
       });
-      for_each_common_point(shapes[behind], shapes[before], [&](Vec2 p, double own, double other) {
-        add_rule_at(pair, shapes, p, own, other, weight, rules);
+      for_each_common_point(behind, before, [&](Vec2 p, double own, double other) {
+        add_rule_at(pair, shapes, p, own, other, weight, group, rules);
       });
+      ++group;
     }
   }
 }

@@ -17,6 +17,7 @@ struct DepthRule {
   double gap = 0;     // px
   double weight = 1;  // of its squared violation
   bool is_equality = false;
+  int group = 0;  // the pair of layers of an inequality
 };
 
 /// A layer and what is known of it.

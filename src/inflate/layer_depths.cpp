@@ -2,6 +2,7 @@
 #include "inflate/layer_depths.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/check.h"
 #include "geometry/polyline.h"
@@ -11,13 +12,23 @@
 namespace inkflate {
 namespace {
 
-/// All stiffnesses are in shares of the model's longer side, so that a drawing twice as large becomes a model twice as large.
-struct Stiffness {
-  double pull = 16;         // of a layer that no joint holds
-  double held_pull = 0.16;  // of a limb: enough to place it should its host be held by nothing
-  double held_slope = 16;   // of a limb: legs stay side by side instead of leaning to the middle
-  double rule = 1e6;
-};
+/// Violations of rules count this much, per model size squared.
+constexpr double kRuleWeight = 1e8;
+
+/// A limb: legs stay side by side instead of leaning to the middle.
+PlateStiffness stiffness_of_limb(double model_size) {
+  double const area = model_size * model_size;
+  return {1, 16 / area, 0.16 / (area * area)};
+}
+
+/// A layer that no joint holds. Large ones stay where they are and upright; small ones, as eyes are, give way and tilt to follow what
+/// they lie on.
+PlateStiffness stiffness_of_body(double layer_size, double model_size) {
+  double const area = model_size * model_size;
+  double const share = layer_size * layer_size / area;
+  double const pull = 1600 / (area * area);
+  return {100 * share, 10 * pull * area * share * share * share, pull * share};
+}
 
 double model_size(FlatModel const& model) {
   Rect box;
@@ -59,21 +70,18 @@ std::vector<std::vector<double>> layer_depths(FlatModel const& model,
   }
   double const size = model_size(model);
   double const area = size * size;
-  Stiffness const stiffness;
   std::vector<DepthRule> rules;
-  add_joint_rules(model, shapes, stiffness.rule / area, rules);
-  add_order_rules(model, shapes, stiffness.rule / area, rules);
+  add_joint_rules(model, shapes, kRuleWeight / area, rules);
+  add_order_rules(model, shapes, kRuleWeight / area, rules);
   if (rules.empty()) return depths;
   std::vector<MatrixEntry> energy;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    bool const is_held = is_limb(model, static_cast<int>(i));
-    double const pull = is_held ? stiffness.held_pull : stiffness.pull;
-    double const slope = is_held ? stiffness.held_slope : 0;
-    auto const masses = masses_of(shapes[i].mesh);
-    shapes[i].plate.add_energy(shapes[i].mesh, masses, {slope / area, pull / (area * area)},
-                               energy);
+    auto const stiffness = is_limb(model, static_cast<int>(i))
+                               ? stiffness_of_limb(size)
+                               : stiffness_of_body(shapes[i].grid.box().longer_side(), size);
+    shapes[i].plate.add_energy(shapes[i].mesh, masses_of(shapes[i].mesh), stiffness, energy);
   }
-  auto const unknowns = solve_depths(unknown_count, energy, rules);
+  auto const unknowns = solve_depths(unknown_count, std::move(energy), rules);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     for (std::size_t v = 0; v < depths[i].size(); ++v) {
       depths[i][v] = shapes[i].plate.depth(shapes[i].mesh.points[v])(unknowns);

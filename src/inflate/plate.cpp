@@ -102,8 +102,8 @@ PlateRow Plate::row(Vec2 p, Vec2 direction) const {
   return result;
 }
 
-void Plate::add_bending(std::vector<MatrixEntry>& entries) const {
-  double const weight = 1 / (cell_px_ * cell_px_);
+void Plate::add_bending(double factor, std::vector<MatrixEntry>& entries) const {
+  double const weight = factor / (cell_px_ * cell_px_);
   for (int y = 0; y < rows_ + 2; ++y) {
     for (int x = 0; x < columns_ + 2; ++x) {
       int const here = node_at(x, y);
@@ -131,7 +131,7 @@ void Plate::add_slopes(double weight, std::vector<MatrixEntry>& entries) const {
 
 void Plate::add_energy(FlatMesh const& mesh, std::vector<double> const& masses,
                        PlateStiffness const& stiffness, std::vector<MatrixEntry>& entries) const {
-  add_bending(entries);
+  add_bending(stiffness.bending, entries);
   if (stiffness.slope > 0) add_slopes(stiffness.slope, entries);
   // The coefficients of a plane are its depths at the nodes, so pulling them pulls the plate.
   std::vector<double> areas(unknown_count_, 0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "geometry/vec2.h"
@@ -15,17 +16,18 @@ struct PlateRow {
   std::array<int, 9> nodes = {};  // numbers of unknowns
   std::array<double, 9> weights = {};
 
-  double operator()(std::vector<double> const& unknowns) const {
+  double operator()(std::span<double const> unknowns) const {
     double sum = 0;
     for (int i = 0; i < 9; ++i) sum += weights[i] * unknowns[nodes[i]];
     return sum;
   }
 };
 
-/// How a plate resists. In units in which bending costs 1: the integral of the squared second derivatives.
+/// How a plate resists: factors of integrals over the layer.
 struct PlateStiffness {
-  double slope = 0;  // per px^2: of the squared slopes
-  double pull = 0;   // per px^4: of the squared depths
+  double bending = 1;  // > 0; of the squared second derivatives
+  double slope = 0;    // per px^2; of the squared slopes
+  double pull = 0;     // per px^4; of the squared depths
 };
 
 /// The smooth depth of one layer: a quadratic B-spline on a square lattice that is about eight cells long. It bends much more like
@@ -50,7 +52,7 @@ class Plate {
  private:
   int node_at(int x, int y) const;
   PlateRow row(Vec2 p, Vec2 direction) const;
-  void add_bending(std::vector<MatrixEntry>& entries) const;
+  void add_bending(double factor, std::vector<MatrixEntry>& entries) const;
   void add_slopes(double weight, std::vector<MatrixEntry>& entries) const;
 
   int first_ = 0;

@@ -76,6 +76,10 @@ bool is_binary_stl(std::span<std::byte const> bytes) {
   return bytes.size() - 84 == std::uint64_t{50} * little_endian32(bytes.subspan(80));
 }
 
+bool looks_like_text_stl(std::string_view text) {
+  return text.substr(0, 5) == "solid" && text.size() > 5 && is_blank(text[5]);
+}
+
 bool looks_like_obj(std::string_view text) {
   while (!text.empty()) {
     auto const line = trimmed(text.substr(0, text.find('\n')));
@@ -106,7 +110,7 @@ FileFormat sniff_format(std::span<std::byte const> bytes) {
   text = trimmed(text);
   if (looks_like_svg(text)) return FileFormat::Svg;
   if (looks_like_scap(text)) return FileFormat::Scap;
-  if (is_binary_stl(bytes) || text.substr(0, 6) == "solid ") return FileFormat::Stl;
+  if (is_binary_stl(bytes) || looks_like_text_stl(text)) return FileFormat::Stl;
   return looks_like_obj(text) ? FileFormat::Obj : FileFormat::Unknown;
 }
 

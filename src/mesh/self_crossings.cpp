@@ -13,6 +13,8 @@ namespace {
 // Of cells, per triangle; triangles much larger than the others make cells larger until this holds.
 constexpr double kMostCellsPerTriangle = 16;
 constexpr int kMostCellsPerAxis = 1 << 20;
+// Products of three differences of larger coordinates would not be finite.
+constexpr double kFarthest = 1e100;
 
 using Corners = std::array<Vec3, 3>;
 
@@ -147,7 +149,10 @@ bool share_a_vertex(Triangle const& a, Triangle const& b) {
 
 bool is_usable(TriMesh const& mesh, Triangle const& t) {
   return std::all_of(t.begin(), t.end(), [&](int v) {
-    return v >= 0 && v < std::ssize(mesh.points) && is_finite(mesh.points[v]);
+    if (v < 0 || v >= std::ssize(mesh.points)) return false;
+    auto const p = mesh.points[v];
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kFarthest &&
+           std::isfinite(p.x + p.y + p.z);
   });
 }
 
