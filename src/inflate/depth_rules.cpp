@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/polyline.h"
+
 namespace inkflate {
 namespace {
 
@@ -17,59 +19,73 @@ constexpr double kRimSpacingPx = 4;
 /// them the limb may rise from the sheet where it would otherwise sink into the host's rim.
 constexpr double kSoftMiddle = 0.01;
 
-/// What two layers have in common.
+/// Steeper than 60 degrees a part would look torn off.
+constexpr double kSteepest = 1.7;
+
+/// Where a layer is held by a joint: the straight line between its run's ends.
+struct Root {
+  Vec2 from;
+  Vec2 to;
+};
+
+/// Two layers that may overlap.
 struct Pair {
   int behind = 0;
   int before = 0;
-  std::vector<Vec2> ends;  // of their joints' runs
-  double width_px = 0;     // of the widest run
-  bool is_mouth = false;
+  bool is_mouth = false;    // whether they meet at one
+  std::vector<Root> roots;  // of both, wherever they are joined
+  int group = 0;
 };
 
 bool overlap(Rect const& a, Rect const& b) {
   return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
-/// What two layers that may overlap have in common. Of two that a slit joins, the sheet of the host tells which is before the other.
-Pair describe(FlatModel const& model, std::vector<int> const& joints, int behind, int before) {
-  Pair pair = {behind, before, {}, 0, false};
-  for (int const i : joints) {
-    auto const& joint = model.joints[i];
-    int const other = joint.limb == before ? joint.host : joint.limb;
-    if (other != behind) continue;
-    auto const& points = model.layers[joint.limb].mesh.points;
-    Vec2 const from = points[joint.limb_vertices.front()];
-    Vec2 const to = points[joint.limb_vertices.back()];
-    pair.ends.insert(pair.ends.end(), {from, to});
-    pair.width_px = std::max(pair.width_px, distance(from, to));
-    if (joint.kind == Joint::Kind::Mouth) {
-      pair.is_mouth = true;
-    } else {
-      pair.before = joint.side == Side::Front ? joint.limb : joint.host;
-      pair.behind = joint.side == Side::Front ? joint.host : joint.limb;
+/// Of two layers that a slit joins, the sheet of the host tells which is before the other; else their order does.
+Pair describe(FlatModel const& model, std::vector<std::vector<int>> const& joints, int behind,
+              int before) {
+  Pair pair = {behind, before, false, {}, 0};
+  for (int const layer : {behind, before}) {
+    for (int const i : joints[layer]) {
+      auto const& joint = model.joints[i];
+      auto const& points = model.layers[joint.limb].mesh.points;
+      if (joint.limb == layer || joint.kind == Joint::Kind::Mouth) {
+        pair.roots.push_back(
+            {points[joint.limb_vertices.front()], points[joint.limb_vertices.back()]});
+      }
+      if (joint.limb + joint.host != behind + before || layer != joint.limb ||
+          (joint.host != behind && joint.host != before))
+        continue;
+      if (joint.kind == Joint::Kind::Mouth) {
+        pair.is_mouth = true;
+      } else {
+        pair.before = joint.side == Side::Front ? joint.limb : joint.host;
+        pair.behind = joint.side == Side::Front ? joint.host : joint.limb;
+      }
     }
   }
   return pair;
 }
 
-/// 0 at the ends of a joint's run, where the two layers meet, and 1 away from them.
+/// 0 on the run of a joint, where a limb is held, and 1 from a run's length away from it.
 double freedom(Pair const& pair, Vec2 p) {
   double least = 1;
-  for (auto const end : pair.ends) {
-    least = std::min(least, distance(p, end) / std::max(pair.width_px, 1e-9));
+  for (auto const& root : pair.roots) {
+    double const reach = std::max(distance(root.from, root.to), 1e-9);
+    least = std::min(least, std::sqrt(squared_distance_to_segment(p, root.from, root.to)) / reach);
   }
   return least;
 }
 
 /// The rule at p, which lies in both layers.
 void add_rule_at(Pair const& pair, std::span<LayerShape const> shapes, Vec2 p, double behind_height,
-                 double before_height, double weight, int group, std::vector<DepthRule>& rules) {
+                 double before_height, double weight, std::vector<DepthRule>& rules) {
   double const free = freedom(pair, p);
   // Two mouths that meet are at one depth: neither can be before the other.
   if (pair.is_mouth && free < 1) return;
   rules.push_back({shapes[pair.before].plate.depth(p), shapes[pair.behind].plate.depth(p),
                    std::abs(behind_height - before_height) + kMarginPx * free, weight, false,
-                   group});
+                   pair.group});
 }
 
 /// Looks up the vertices and the drawn edges of one layer in another. visit(p, own height, other's height)
@@ -140,16 +156,16 @@ void add_order_rules(FlatModel const& model, std::span<LayerShape const> shapes,
   for (int j = 0; j < std::ssize(shapes); ++j) {
     for (int i = 0; i < j; ++i) {
       if (!overlap(shapes[i].grid.box(), shapes[j].grid.box())) continue;
-      auto const pair = describe(model, joints[j], i, j);
+      auto pair = describe(model, joints, i, j);
+      pair.group = group++;
       auto const& behind = shapes[pair.behind];
       auto const& before = shapes[pair.before];
       for_each_common_point(before, behind, [&](Vec2 p, double own, double other) {
-        add_rule_at(pair, shapes, p, other, own, weight, group, rules);
+        add_rule_at(pair, shapes, p, other, own, weight, rules);
       });
       for_each_common_point(behind, before, [&](Vec2 p, double own, double other) {
-        add_rule_at(pair, shapes, p, own, other, weight, group, rules);
+        add_rule_at(pair, shapes, p, own, other, weight, rules);
       });
-      ++group;
     }
   }
 }
@@ -162,6 +178,23 @@ void add_joint_rules(FlatModel const& model, std::span<LayerShape const> shapes,
     } else {
       add_mouth_rules(joint, shapes, weight, rules);
     }
+  }
+}
+
+void add_slope_rules(std::span<LayerShape const> shapes, double weight,
+                     std::vector<DepthRule>& rules) {
+  int group = -1;  // apart from those of pairs
+  for (auto const& shape : shapes) {
+    double const reach = shape.plate.cell_px();
+    for (auto const p : shape.plate.cell_centres()) {
+      for (Vec2 const direction : {Vec2{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        auto const slope = shape.plate.slope(p, direction);
+        auto zero = slope;
+        zero.weights = {};
+        rules.push_back({zero, slope, -kSteepest, weight * reach * reach, false, group});
+      }
+    }
+    --group;
   }
 }
 

@@ -13,7 +13,8 @@ namespace inkflate {
 namespace {
 
 /// Violations of rules count this much, per model size squared.
-constexpr double kRuleWeight = 1e8;
+constexpr double kRuleWeight = 1e7;
+constexpr double kJointWeight = 1e8;
 
 /// A limb: legs stay side by side instead of leaning to the middle.
 PlateStiffness stiffness_of_limb(double model_size) {
@@ -71,9 +72,10 @@ std::vector<std::vector<double>> layer_depths(FlatModel const& model,
   double const size = model_size(model);
   double const area = size * size;
   std::vector<DepthRule> rules;
-  add_joint_rules(model, shapes, kRuleWeight / area, rules);
+  add_joint_rules(model, shapes, kJointWeight / area, rules);
   add_order_rules(model, shapes, kRuleWeight / area, rules);
   if (rules.empty()) return depths;
+  add_slope_rules(shapes, kJointWeight / area, rules);
   std::vector<MatrixEntry> energy;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     auto const stiffness = is_limb(model, static_cast<int>(i))

@@ -77,6 +77,18 @@ int Plate::node_at(int x, int y) const {
   return nodes_[y * (columns_ + 2) + x];
 }
 
+std::vector<Vec2> Plate::cell_centres() const {
+  std::vector<Vec2> result;
+  for (int y = 0; y < rows_; ++y) {
+    for (int x = 0; x < columns_; ++x) {
+      bool is_used = true;
+      for (int k = 0; k < 9; ++k) is_used = is_used && node_at(x + k % 3, y + k / 3) >= 0;
+      if (is_used) result.push_back(origin_ + Vec2{x + 0.5, y + 0.5} * cell_px_);
+    }
+  }
+  return result;
+}
+
 PlateRow Plate::row(Vec2 p, Vec2 direction) const {
   Vec2 const q = (p - origin_) / cell_px_;
   int const x = std::clamp(static_cast<int>(std::floor(q.x)), 0, columns_ - 1);

@@ -37,6 +37,10 @@ class Plate {
   /// Numbers its unknowns from first on. mesh: at least one triangle.
   Plate(FlatMesh const& mesh, int first);
 
+  double cell_px() const { return cell_px_; }
+  /// Of the cells that the mesh touches.
+  std::vector<Vec2> cell_centres() const;
+
   int unknown_count() const { return unknown_count_; }
 
   /// The depth at a point of the mesh; a point outside is moved to the nearest cell of the lattice.
