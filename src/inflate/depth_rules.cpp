@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
 #include "geometry/polyline.h"
 
 namespace inkflate {
@@ -28,12 +29,12 @@ struct Root {
   Vec2 to;
 };
 
-/// Two layers that may overlap.
+/// Two layers that may overlap, and all joints that hold them somewhere.
 struct Pair {
   int behind = 0;
   int before = 0;
-  bool is_mouth = false;    // whether they meet at one
-  std::vector<Root> roots;  // of both, wherever they are joined
+  bool is_mouth = false;  // they meet at one
+  std::vector<Root> roots;
   int group = 0;
 };
 
@@ -41,27 +42,24 @@ bool overlap(Rect const& a, Rect const& b) {
   return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
-/// Of two layers that a slit joins, the sheet of the host tells which is before the other; else their order does.
 Pair describe(FlatModel const& model, std::vector<std::vector<int>> const& joints, int behind,
               int before) {
   Pair pair = {behind, before, false, {}, 0};
   for (int const layer : {behind, before}) {
     for (int const i : joints[layer]) {
       auto const& joint = model.joints[i];
+      bool const is_slit = joint.kind == Joint::Kind::Slit;
       auto const& points = model.layers[joint.limb].mesh.points;
-      if (joint.limb == layer || joint.kind == Joint::Kind::Mouth) {
+      if (joint.limb == layer || !is_slit) {
         pair.roots.push_back(
             {points[joint.limb_vertices.front()], points[joint.limb_vertices.back()]});
       }
-      if (joint.limb + joint.host != behind + before || layer != joint.limb ||
-          (joint.host != behind && joint.host != before))
-        continue;
-      if (joint.kind == Joint::Kind::Mouth) {
-        pair.is_mouth = true;
-      } else {
-        pair.before = joint.side == Side::Front ? joint.limb : joint.host;
-        pair.behind = joint.side == Side::Front ? joint.host : joint.limb;
-      }
+      if (std::minmax(joint.limb, joint.host) != std::minmax(behind, before)) continue;
+      pair.is_mouth = pair.is_mouth || !is_slit;
+      if (!is_slit) continue;
+      // The sheet that a limb is joined to tells which of the two is before the other.
+      pair.before = joint.side == Side::Front ? joint.limb : joint.host;
+      pair.behind = joint.side == Side::Front ? joint.host : joint.limb;
     }
   }
   return pair;
@@ -148,7 +146,7 @@ void add_order_rules(FlatModel const& model, std::span<LayerShape const> shapes,
                      std::vector<DepthRule>& rules) {
   std::vector<std::vector<int>> joints(shapes.size());  // of each layer
   for (int i = 0; i < std::ssize(model.joints); ++i) {
-    if (model.joints[i].limb_vertices.empty()) continue;
+    if (model.joints[i].limb_vertices.size() < 2) continue;
     joints[model.joints[i].limb].push_back(i);
     joints[model.joints[i].host].push_back(i);
   }
@@ -173,6 +171,8 @@ void add_order_rules(FlatModel const& model, std::span<LayerShape const> shapes,
 void add_joint_rules(FlatModel const& model, std::span<LayerShape const> shapes, double weight,
                      std::vector<DepthRule>& rules) {
   for (auto const& joint : model.joints) {
+    CHECK(joint.limb_vertices.size() == joint.host_vertices.size(), "a joint's points in pairs");
+    if (joint.limb_vertices.size() < 2) continue;
     if (joint.kind == Joint::Kind::Slit) {
       add_slit_rules(joint, shapes, weight, rules);
     } else {

@@ -49,8 +49,8 @@ class Plate {
   PlateRow slope(Vec2 p, Vec2 direction) const { return row(p, direction); }
 
   /// The quadratic form of its energy, as P-splines take it: differences of the coefficients instead of derivatives.
-  /// masses: the area that belongs to each point
-  void add_energy(FlatMesh const& mesh, std::vector<double> const& masses,
+  /// point_areas: of the mesh
+  void add_energy(FlatMesh const& mesh, std::vector<double> const& point_areas,
                   PlateStiffness const& stiffness, std::vector<MatrixEntry>& entries) const;
 
  private:
