@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "cli/batch.h"
-#include "cli/simplify_options.h"
 #include "cli/files.h"
+#include "cli/load_project.h"
 #include "cli/option_values.h"
 #include "cli/output_plan.h"
 #include "cli/progress_line.h"
-#include "cli/read_sketch.h"
+#include "cli/simplify_options.h"
 #include "cli/verb.h"
 #include "geometry/trig.h"
 #include "io/svg_colour.h"
@@ -122,25 +122,17 @@ Result<Picture> picture_of_model(Drawing const& drawing, RenderCall const& call,
 
 Result<Json> render_one(RenderCall const& call, RenderPlan const& plan, int index,
                         ProgressLine& line) {
-  auto const& input = call.shared.inputs[index];
   StageClock clock;
   Progress const shown = {[&](std::string_view stage) { line.show(stage); }, {}};
   Progress const progress = clock.timed(shown);
-  progress.report("read");
-  auto const content = read_file(input);
-  if (!content) return content.error();
-  auto const read = read_sketch(*content);
-  if (!read) return read.error();
-  if (!call.shared.is_quiet) {
-    for (auto const& warning : read->warnings) print_warning(input, warning);
-  }
   RunSimplifyOptions simplify_options;
   simplify_options.simplify.parts = Parts::Groups;
-  auto const drawing = run_simplify(read->source, simplify_options, progress);
-  if (!drawing) return drawing.error();
-  auto const picture = call.look == Look::Drawing
-                           ? picture_of_drawing(*drawing, plan)
-                           : picture_of_model(*drawing, call, plan, progress);
+  auto const project =
+      load_project(call.shared, call.shared.inputs[index], simplify_options, progress);
+  if (!project) return project.error();
+  auto const& drawing = project->drawing;
+  auto const picture = call.look == Look::Drawing ? picture_of_drawing(drawing, plan)
+                                                  : picture_of_model(drawing, call, plan, progress);
   if (!picture) return picture.error();
   progress.report("write");
   if (auto const error = write_file(plan.outputs[index], write_png(*picture))) return *error;

@@ -7,7 +7,7 @@
 #include "cli/files.h"
 #include "cli/output_plan.h"
 #include "cli/progress_line.h"
-#include "cli/read_sketch.h"
+#include "cli/read_document.h"
 #include "cli/simplify_options.h"
 #include "cli/verb.h"
 #include "cli/write_drawing.h"
@@ -70,12 +70,12 @@ Result<SimplifyPlan> make_plan(SimplifyCall const& call) {
   return plan;
 }
 
-std::optional<Error> write_outputs(Drawing const& drawing, SimplifyPlan const& plan, int index) {
+std::optional<Error> write_outputs(Project const& project, SimplifyPlan const& plan, int index) {
   if (auto const& output = plan.outputs[index]; !output.empty()) {
-    if (auto error = write_drawing(drawing, plan.formats[index], output)) return error;
+    if (auto error = write_drawing(project, plan.formats[index], output)) return error;
   }
   auto const& picture = plan.pictures[index];
-  return picture.empty() ? std::nullopt : write_drawing_picture(drawing, picture);
+  return picture.empty() ? std::nullopt : write_drawing_picture(project.drawing, picture);
 }
 
 Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, int index,
@@ -87,18 +87,21 @@ Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, in
   progress.report("read");
   auto const content = read_file(input);
   if (!content) return content.error();
-  auto const read = read_sketch(*content);
+  auto read = read_document(*content);
   if (!read) return read.error();
   if (!call.shared.is_quiet) {
     for (auto const& warning : read->warnings) print_warning(input, warning);
   }
-  auto const drawing = run_simplify(read->source, plan.options, progress);
+  auto drawing = run_simplify(sketch_source(*read), plan.options, progress);
   if (!drawing) return drawing.error();
+  Project project = {std::move(*drawing)};
+  // Strokes that were moved alone would no longer lie where they were traced.
+  if (!call.words.fits) project.template_picture = std::move(read->project.template_picture);
   progress.report("write");
-  if (auto const error = write_outputs(*drawing, plan, index)) return *error;
+  if (auto const error = write_outputs(project, plan, index)) return *error;
   clock.stop();
   if (!call.shared.is_json) return Json::object();
-  return Json::parse(json_report(*drawing, clock.times()));
+  return Json::parse(json_report(project.drawing, clock.times()));
 }
 
 ExitStatus run_simplify_verb(SimplifyCall const& call) {

@@ -32,6 +32,8 @@ struct Verb {
 
 /// One for each verb, in NAME_verb.cpp.
 Verb declare_simplify(CLI::App& program);
+Verb declare_inflate(CLI::App& program);
 Verb declare_render(CLI::App& program);
+Verb declare_check(CLI::App& program);
 
 }  // namespace inkflate::cli

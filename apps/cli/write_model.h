@@ -14,7 +14,6 @@ enum class ModelFormat {
   Glb,  // standard output gets this
   Obj,  // with NAME.mtl and NAME.png beside it
   Stl,
-  ThreeMf,
 };
 
 /// By the extension of the output's name, in any case; nothing: none of these.

@@ -13,6 +13,9 @@ class HostArea {
  public:
   HostArea(LayerRim const& rim, double step_px);
 
+  /// Within the outer outline, px^2.
+  double area() const { return signed_area(contours_.front()); }
+
   /// Distance to the layer's boundary: positive inside, negative outside. Far outside it is only a lower bound of the distance.
   double clearance(Vec2 p) const;
   /// The least of the points' clearances; stops early once it is below `enough`.

@@ -2,6 +2,7 @@
 #include "assemble/plan_joints.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -15,11 +16,17 @@ namespace {
 
 // How far from its host a run may end, as a share of its length: hands stop a little short of the line they aim at.
 constexpr double kReachShare = 0.3;
+constexpr double kLeastReach = 20;  // in units
 // How far a run may be pushed into its host.
 constexpr double kPushShare = 1;
 // A seam keeps this distance from the host's rim and from other seams, so that there is room for triangles.
 constexpr double kClearanceShare = 0.1;
 constexpr double kLeastClearance = 4;  // in units
+// On a narrow host it makes do with less.
+constexpr std::array kClearanceFactors = {1.0, 0.5, 0.25};
+
+// A host has at least this share of its limb's area.
+constexpr double kLeastHostShare = 0.5;
 
 /// A line on a host along which something is already joined.
 struct Seam {
@@ -120,7 +127,7 @@ class Planner {
   std::vector<Place> find_places(int layer, int run) const {
     std::vector<Place> places;
     for (int host = 0; host < static_cast<int>(std::ssize(rims_)); ++host) {
-      if (host == layer) continue;
+      if (host == layer || !may_host(host, layer, rims_[layer].runs[run].opening)) continue;
       if (auto const place = place_in(host, layer, rims_[layer].runs[run].points)) {
         places.push_back(*place);
       }
@@ -128,24 +135,37 @@ class Planner {
     return places;
   }
 
+  /// A closing is no proof that something joins there: a body does not grow out of its own arm, nor out of anything much smaller than itself.
+  bool may_host(int host, int limb, Opening opening) const {
+    if (opening == Opening::Wanted) return true;
+    bool const is_limb_of_it = std::any_of(
+        joints_.begin(), joints_.end(),
+        [&](PlannedJoint const& joint) { return joint.limb == host && joint.host == limb; });
+    return !is_limb_of_it && areas_[host].area() >= kLeastHostShare * areas_[limb].area();
+  }
+
   /// The shortest way into the host, straight out of the limb's mouth.
   std::optional<Place> place_in(int host, int limb, Polyline const& line) const {
     auto const chord = line.back() - line.front();
     double const width_px = norm(chord);
     auto const outward = -normalized(perpendicular(chord));
-    double const reach_px = kReachShare * width_px;
+    double const reach_px = std::max(kReachShare * width_px, kLeastReach * unit_px_);
     auto const& area = areas_[host];
     if (area.clearance(line.front()) < -reach_px || area.clearance(line.back()) < -reach_px) {
       return std::nullopt;
     }
-    double const wanted_px = std::max(kLeastClearance * unit_px_, kClearanceShare * width_px);
+    double const full_px = std::max(kLeastClearance * unit_px_, kClearanceShare * width_px);
     auto const samples = coarse(line);
     double const step_px = std::max(unit_px_, width_px / 32);
-    for (double push_px = 0; push_px <= kPushShare * width_px; push_px += step_px) {
-      auto const push = outward * push_px;
-      double const depth_px = area.least_clearance(moved(samples, push), wanted_px);
-      if (depth_px < wanted_px || !is_free(host, limb, moved(line, push), wanted_px)) continue;
-      return Place{host, push, std::min(depth_px, width_px / 2)};
+    double const farthest_px = kPushShare * width_px + reach_px;
+    for (double const factor : kClearanceFactors) {
+      double const wanted_px = factor * full_px;
+      for (double push_px = 0; push_px <= farthest_px; push_px += step_px) {
+        auto const push = outward * push_px;
+        double const depth_px = area.least_clearance(moved(samples, push), wanted_px);
+        if (depth_px < wanted_px || !is_free(host, limb, moved(line, push), wanted_px)) continue;
+        return Place{host, push, std::min(depth_px, width_px / 2)};
+      }
     }
     return std::nullopt;
   }

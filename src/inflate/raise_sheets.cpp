@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "inflate/fade.h"
 #include "inflate/seam_distance.h"
 
 namespace inkflate {
@@ -14,9 +15,6 @@ constexpr double kReachShare = 0.7;
 double sign_of(Side side) { return side == Side::Front ? 1 : -1; }
 int index_of(Side side) { return static_cast<int>(side); }
 Side other(Side side) { return side == Side::Front ? Side::Back : Side::Front; }
-
-/// 1 at 0, 0 from 1 on, flat at both ends.
-double fade(double t) { return t >= 1 ? 0 : (1 - t) * (1 - t) * (1 + 2 * t); }
 
 class Raiser {
  public:

@@ -11,25 +11,7 @@ namespace inkflate {
 /// Looking into JSON that came from outside: whatever is not there, or is of another kind, is nothing. To be included by .cpp files
 /// only, for it costs two seconds each.
 
-using JsonPlace = nlohmann::ordered_json const*;  // null: nothing
-
-/// The document, nested at most `max_depth` deep; nothing if it is no JSON.
-inline std::optional<nlohmann::ordered_json> parse_json(std::string_view text, int max_depth) {
-  int depth = 0;
-  bool is_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    char const c = text[i];
-    if (c == '"') is_string = !is_string;
-    if (is_string && c == '\\') ++i;
-    if (is_string) continue;
-    if (c == '[' || c == '{') ++depth;
-    if (c == ']' || c == '}') --depth;
-    if (depth > max_depth) return std::nullopt;
-  }
-  auto json = nlohmann::ordered_json::parse(text, nullptr, false);
-  if (json.is_discarded()) return std::nullopt;
-  return json;
-}
+using JsonPlace = nlohmann::json const*;  // null: nothing
 
 inline JsonPlace member(JsonPlace object, char const* name) {
   if (object == nullptr || !object->is_object()) return nullptr;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@
 namespace inkflate {
 namespace {
 
+constexpr double kLongestTime = std::numeric_limits<double>::max();
 constexpr int kShortestPiece = 11;  // bytes of six numbers in a path
 
 // The functions below return false where the text is damaged.
@@ -66,19 +68,20 @@ bool parse_positions(std::string_view path, std::vector<Sample>& samples) {
 }
 
 // One number for each sample; without a list all keep what they have.
-bool parse_per_sample(std::optional<std::string_view> numbers, double Sample::*member,
+bool parse_per_sample(std::optional<std::string_view> numbers, double Sample::*member, double most,
                       std::vector<Sample>& samples) {
   if (!numbers) return true;
   for (auto& sample : samples) {
     if (!take_finite(*numbers, sample.*member)) return false;
+    if (sample.*member < 0 || sample.*member > most) return false;
   }
   return trimmed(*numbers).empty();
 }
 
 bool parse_samples(SvgElement const& element, std::vector<Sample>& samples) {
   return parse_positions(element["d"], samples) &&
-         parse_per_sample(element.find("inkflate:pressure"), &Sample::pressure, samples) &&
-         parse_per_sample(element.find("inkflate:time"), &Sample::time_s, samples);
+         parse_per_sample(element.find("inkflate:pressure"), &Sample::pressure, 1, samples) &&
+         parse_per_sample(element.find("inkflate:time"), &Sample::time_s, kLongestTime, samples);
 }
 
 // Of a group or a layer. Files of the first version have neither.

@@ -2,11 +2,11 @@
 #include "io/read_glb.h"
 
 #include <array>
-#include <cstring>
 #include <optional>
 
 #include "io/float_bytes.h"
 #include "io/json_look.h"
+#include "io/parse_json.h"
 
 namespace inkflate {
 namespace {
@@ -29,7 +29,7 @@ Error unsupported(std::string const& what) {
 }
 
 struct Glb {
-  nlohmann::ordered_json json;
+  nlohmann::json json;
   std::span<std::byte const> binary;
 };
 
@@ -50,8 +50,8 @@ Result<Glb> open_glb(std::span<std::byte const> file) {
     if (!has_json) {
       if (type != kJsonChunk) return damaged("the first chunk is not JSON");
       std::string_view const text(reinterpret_cast<char const*>(rest.data()), size);
-      auto json = parse_json(text, MeshLimits::kJsonDepth);
-      if (!json) return damaged("the JSON cannot be read");
+      auto json = parse_json(text);
+      if (!json) return Error{json.error().code, "GLB: " + json.error().message};
       glb.json = std::move(*json);
       has_json = true;
     } else if (type == kBinaryChunk && glb.binary.empty()) {
@@ -228,10 +228,6 @@ Result<std::vector<bool>> moved_nodes(JsonPlace nodes) {
 }
 
 }  // namespace
-
-bool is_glb(std::span<std::byte const> file) {
-  return file.size() >= 4 && std::memcmp(file.data(), "glTF", 4) == 0;
-}
 
 Result<MeshReading> read_glb(std::span<std::byte const> file) {
   auto const glb = open_glb(file);

@@ -7,25 +7,20 @@
 #include <vector>
 
 #include "base/result.h"
+#include "io/format.h"
 #include "mesh/tri_mesh.h"
 
 namespace inkflate {
-
-enum class MeshFormat { Glb, Obj, Stl, ThreeMf };
-
-/// "GLB", "OBJ", "STL", "3MF": for messages.
-char const* mesh_format_name(MeshFormat format);
 
 /// What a model's file may hold; also those of docs/LIMITS.md for every file.
 struct MeshLimits {
   static constexpr long long kPoints = 6'000'000;
   static constexpr long long kTriangles = 2'000'000;
-  static constexpr int kJsonDepth = 64;
 };
 
 /// The triangles of a model's file, as they stand there, to be looked at: nothing is repaired.
 struct MeshReading {
-  MeshFormat format = MeshFormat::Glb;
+  FileFormat format = FileFormat::Unknown;
   TriMesh
       mesh;  // all parts together, in the file's units and axes; every index names a point, coordinates may be NaN
   std::vector<std::string>

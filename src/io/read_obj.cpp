@@ -10,9 +10,6 @@
 namespace inkflate {
 namespace {
 
-// Comments and materials may stand before the first vertex, but not a whole file of them.
-constexpr std::size_t kLookedAt = 65'536;
-
 class ObjReader {
  public:
   std::optional<Error> read_line(std::string_view line) {
@@ -92,26 +89,14 @@ class ObjReader {
     return std::nullopt;
   }
 
-  MeshReading reading_ = {.format = MeshFormat::Obj, .mesh = {}, .names = {}, .has_texture = false};
+  MeshReading reading_;
   long long line_number_ = 0;
 };
 
 }  // namespace
 
-bool is_obj(std::string_view text) {
-  text = text.substr(0, kLookedAt);
-  if (text.find('\0') != std::string_view::npos) return false;
-  while (!text.empty()) {
-    auto line = take_line(text);
-    auto const word = take_word(line);
-    if (word != "v") continue;
-    skip_separator(line, Separator::Blank);
-    return take_number(line).has_value();
-  }
-  return false;
-}
-
-Result<MeshReading> read_obj(std::string_view text) {
+Result<MeshReading> read_obj(std::span<std::byte const> file) {
+  std::string_view text(reinterpret_cast<char const*>(file.data()), file.size());
   ObjReader reader;
   while (!text.empty()) {
     if (auto const error = reader.read_line(take_line(text))) return *error;

@@ -16,9 +16,6 @@ constexpr std::size_t kTriangleBytes = 50;
 constexpr std::size_t kNormalBytes = 12;
 constexpr std::size_t kPointBytes = 12;
 
-// Where the text kind names its first triangle at the latest: behind the solid's name.
-constexpr std::size_t kLookedAt = 4096;
-
 void add_triangle(TriMesh& mesh, std::array<Vec3, 3> const& corners) {
   int const first = static_cast<int>(std::ssize(mesh.points));
   mesh.points.insert(mesh.points.end(), corners.begin(), corners.end());
@@ -36,8 +33,6 @@ std::optional<Vec3> take_point(std::string_view& text) {
   return Vec3{numbers[0], numbers[1], numbers[2]};
 }
 
-}  // namespace
-
 bool is_binary_stl(std::span<std::byte const> file) {
   if (file.size() < kTrianglesAt) return false;
   std::uint64_t const count = little_endian32(file.subspan(kCountAt));
@@ -46,7 +41,6 @@ bool is_binary_stl(std::span<std::byte const> file) {
 
 Result<MeshReading> read_binary_stl(std::span<std::byte const> file) {
   MeshReading reading;
-  reading.format = MeshFormat::Stl;
   auto const count = (file.size() - kTrianglesAt) / kTriangleBytes;
   static_assert(MeshLimits::kTriangles * 50 > (64LL << 20U),
                 "no file is long enough to be over it");
@@ -63,11 +57,6 @@ Result<MeshReading> read_binary_stl(std::span<std::byte const> file) {
   return reading;
 }
 
-bool is_text_stl(std::string_view text) {
-  text = trimmed(text.substr(0, kLookedAt));
-  return text.substr(0, 5) == "solid" && text.find("facet") != std::string_view::npos;
-}
-
 Result<MeshReading> read_text_stl(std::string_view text) {
   auto const file = text;
   auto const fail = [&](char const* what) {
@@ -76,7 +65,6 @@ Result<MeshReading> read_text_stl(std::string_view text) {
                  std::string("STL: ") + what + " before byte " + std::to_string(at), at};
   };
   MeshReading reading;
-  reading.format = MeshFormat::Stl;
   std::array<Vec3, 3> corners;
   std::size_t corner_count = 0;
   bool has_ended = false;
@@ -99,6 +87,13 @@ Result<MeshReading> read_text_stl(std::string_view text) {
     }
   }
   return has_ended && corner_count == 0 ? Result<MeshReading>(reading) : fail("the end is missing");
+}
+
+}  // namespace
+
+Result<MeshReading> read_stl(std::span<std::byte const> file) {
+  if (is_binary_stl(file)) return read_binary_stl(file);
+  return read_text_stl({reinterpret_cast<char const*>(file.data()), file.size()});
 }
 
 }  // namespace inkflate

@@ -34,14 +34,15 @@ struct MeshCheck {
   }
 };
 
-/// Looks at a mesh of any kind, however damaged. O(n log n).
+/// Looks at a mesh of any kind, however damaged. Triangles with bad indices count as that and as nothing else. O(n log n).
 MeshCheck check_mesh(TriMesh const& mesh);
 
 /// The mesh with vertices at exactly the same place made one: files repeat vertices along the seams of a texture.
-/// Vertices that no triangle uses are left out. O(n log n).
+/// Vertices that no triangle uses are left out; triangles stay, bad ones too. O(n log n).
 TriMesh weld_vertices(TriMesh const& mesh);
 
-/// Pairs of triangles that pass through each other without sharing a vertex; at most `most` are counted.
+/// Pairs of triangles that pass through each other without sharing a vertex; at most `most` are counted. Triangles that only touch, or
+/// lie in one plane, do not count, nor do those with bad indices or points that are not finite.
 /// cost    O(n log n) for triangles of similar size
 int count_self_crossings(TriMesh const& mesh, int most = 1000);
 

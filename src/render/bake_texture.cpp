@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "geometry/rect.h"
 #include "render/draw_layer.h"
+#include "render/layer_rims.h"
 #include "render/pack_shelves.h"
 #include "render/palette.h"
 
@@ -22,7 +23,7 @@ constexpr int kMostTries = 200;
 struct Area {
   Layer const* layer = nullptr;  // none: plain
   Rect box;                      // canvas px
-  BackDetails details = BackDetails::Shown;
+  DrawList ink;                  // canvas px
 };
 
 struct Areas {
@@ -52,9 +53,22 @@ std::vector<Rect> layer_boxes(RestModel const& model) {
   return boxes;
 }
 
+DrawList layer_ink(Drawing const& drawing, Layer const& layer, std::vector<Polyline> const& rims,
+                   OutlineLook outline, BackDetails details) {
+  auto list = outline == OutlineLook::Clean ? draw_clean_rims(drawing, layer, rims) : DrawList{};
+  auto strokes = outline == OutlineLook::Clean ? std::vector<int>{} : layer.strokes;
+  if (details == BackDetails::Shown) {
+    strokes.insert(strokes.end(), layer.details.begin(), layer.details.end());
+  }
+  std::sort(strokes.begin(), strokes.end());  // as they were drawn
+  append(list, draw_ink(drawing, strokes));
+  return list;
+}
+
 Areas find_areas(Drawing const& drawing, RestModel const& model, BakeOptions const& options) {
   Areas areas;
   auto const boxes = layer_boxes(model);
+  auto const rims = layer_rims(model);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (boxes[i].is_empty()) {  // no triangle: no place
       areas.of_layer.push_back({});
@@ -64,8 +78,13 @@ Areas find_areas(Drawing const& drawing, RestModel const& model, BakeOptions con
     bool const differ =
         options.back_details == BackDetails::Hidden && layer && !layer->details.empty();
     int const front = static_cast<int>(areas.list.size());
-    areas.list.push_back({layer, boxes[i], BackDetails::Shown});
-    if (differ) areas.list.push_back({layer, boxes[i], BackDetails::Hidden});
+    auto const add = [&](BackDetails details) {
+      Area area = {layer, boxes[i], {}};
+      if (layer) area.ink = layer_ink(drawing, *layer, rims[i], options.outline, details);
+      areas.list.push_back(std::move(area));
+    };
+    add(BackDetails::Shown);
+    if (differ) add(BackDetails::Hidden);
     areas.of_layer.push_back({front, differ ? front + 1 : front});
   }
   return areas;
@@ -110,14 +129,11 @@ void fill_box(Picture& picture, PixelBox const& box, Colour colour) {
   }
 }
 
-void draw_area(Drawing const& drawing, Area const& area, PixelBox const& place, Affine const& map,
-               OutlineLook outline, Picture& picture) {
+void draw_area(Area const& area, PixelBox const& place, Affine const& map, Picture& picture) {
   auto colour = area.layer ? area.layer->fill.value_or(palette::kSkin) : palette::kSkin;
   colour.a = 255;
   fill_box(picture, place, colour);
-  if (!area.layer) return;
-  auto const list =
-      inkflate::place(draw_layer_ink(drawing, *area.layer, outline, area.details), map);
+  auto const list = inkflate::place(area.ink, map);
   for (int row = 0; row < place.height; row += kBandRows) {
     int const rows = std::min(kBandRows, place.height - row);
     rasterise_into(list, {place.left, place.top + row, place.width, rows}, picture);
@@ -139,7 +155,7 @@ Texture bake_texture(Drawing const& drawing, RestModel const& model, BakeOptions
   for (std::size_t i = 0; i < areas.list.size(); ++i) {
     auto const& place = atlas.shelves.boxes[i];
     maps.push_back(area_map(areas.list[i], place, atlas, options.padding));
-    draw_area(drawing, areas.list[i], place, maps[i], options.outline, texture.picture);
+    draw_area(areas.list[i], place, maps[i], texture.picture);
   }
   auto const to_unit = Affine::scaling(1.0 / texture.picture.width, 1.0 / texture.picture.height);
   for (auto& map : maps) map = to_unit * map;

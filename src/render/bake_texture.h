@@ -8,7 +8,7 @@ namespace inkflate {
 
 enum class OutlineLook {
   Rough,  // the strokes as they were drawn
-  Clean,  // one line along the contour where ink runs, in the strokes' mean colour and width
+  Clean,  // one line all along the rim where front and back meet, in the strokes' mean colour and width
 };
 
 enum class BackDetails {
@@ -20,7 +20,7 @@ struct BakeOptions {
   double texels_per_px = 2;  // > 0: per canvas px; fewer where the picture would become too large
   int longest_side = 2048;   // 64 .. 16384 texels
   int padding = 8;  // 0 .. 64 texels between a layer's bounding box and the border of its rectangle
-  OutlineLook outline = OutlineLook::Rough;
+  OutlineLook outline = OutlineLook::Clean;
   BackDetails back_details = BackDetails::Hidden;
 };
 

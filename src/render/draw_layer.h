@@ -2,13 +2,15 @@
 #pragma once
 
 #include "model/drawing.h"
-#include "render/bake_texture.h"
 #include "render/draw_list.h"
 
 namespace inkflate {
 
-/// The ink of one layer, in canvas px: its outline, and its details unless they are hidden. Help lines are no ink.
-DrawList draw_layer_ink(Drawing const& drawing, Layer const& layer, OutlineLook outline,
-                        BackDetails details);
+/// One line along each rim, in the colour and width that the layer's outline strokes have on average.
+DrawList draw_clean_rims(Drawing const& drawing, Layer const& layer,
+                         std::vector<Polyline> const& rims);
+
+/// Strokes as they were drawn. Help lines are no ink.
+DrawList draw_ink(Drawing const& drawing, std::vector<int> const& strokes);
 
 }  // namespace inkflate

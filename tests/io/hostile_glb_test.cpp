@@ -100,7 +100,7 @@ TEST(HostileGlb, KindsThatWeDoNotReadAreNamed) {
 
 TEST(HostileGlb, DeepJsonIsRefusedBeforeItIsRead) {
   EXPECT_EQ(code_of_json(std::string(100'000, '[') + std::string(100'000, ']')),
-            ErrorCode::BadInput);
+            ErrorCode::TooLarge);
   EXPECT_EQ(code_of_json("{"), ErrorCode::BadInput);
   EXPECT_EQ(code_of_json("[1e999]"), ErrorCode::BadInput);
 }

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "io/bytes.h"
+#include "io/print_objects.h"
 #include "io/print_pose.h"
+#include "io/write_3mf.h"
 #include "io/write_glb.h"
 #include "io/write_obj.h"
 #include "io/write_stl.h"
@@ -36,7 +38,7 @@ TEST(ReadMesh, GlbReadsBackAsItWasWritten) {
   auto const texture = sheet_texture(model, red_over_blue(8));
   auto const reading = read_mesh(write_glb(model, &texture));
   ASSERT_TRUE(reading.has_value()) << reading.error().message;
-  EXPECT_EQ(reading->format, MeshFormat::Glb);
+  EXPECT_EQ(reading->format, FileFormat::Glb);
   EXPECT_EQ(reading->names, model.layer_names);
   EXPECT_TRUE(reading->has_texture);
   ASSERT_EQ(reading->mesh.triangles.size(), model.mesh.triangles.size());
@@ -55,7 +57,7 @@ TEST(ReadMesh, ObjReadsBackAsItWasWritten) {
   auto const files = write_obj(model, nullptr, "two");
   auto const reading = read_mesh(as_bytes(files.obj));
   ASSERT_TRUE(reading.has_value()) << reading.error().message;
-  EXPECT_EQ(reading->format, MeshFormat::Obj);
+  EXPECT_EQ(reading->format, FileFormat::Obj);
   EXPECT_EQ(reading->names, model.layer_names);
   EXPECT_FALSE(reading->has_texture);
   EXPECT_EQ(reading->mesh.triangles, model.mesh.triangles);
@@ -66,12 +68,25 @@ TEST(ReadMesh, StlReadsBackWithThreePointsForEachTriangle) {
   auto const mesh = print_pose(torus_model(100, 40, 6).mesh);
   auto const reading = read_mesh(write_stl(mesh));
   ASSERT_TRUE(reading.has_value()) << reading.error().message;
-  EXPECT_EQ(reading->format, MeshFormat::Stl);
+  EXPECT_EQ(reading->format, FileFormat::Stl);
   ASSERT_EQ(reading->mesh.triangles.size(), mesh.triangles.size());
   ASSERT_EQ(reading->mesh.points.size(), 3 * mesh.triangles.size());
   EXPECT_LT(distance(reading->mesh.points[3],
                      mesh.points[static_cast<std::size_t>(mesh.triangles[1][0])]),
             1e-5);
+}
+
+TEST(ReadMesh, ThreeMfReadsBackAsItWasWritten) {
+  auto const model = two_layer_model();
+  std::vector<PrintColour> const colours = {{"body", {214, 141, 104}}, {"nose", {200, 20, 20}}};
+  auto const reading = read_mesh(write_3mf(print_objects(model, 100), colours));
+  ASSERT_TRUE(reading.has_value()) << reading.error().message;
+  EXPECT_EQ(reading->format, FileFormat::ThreeMf);
+  EXPECT_EQ(reading->names, model.layer_names);
+  EXPECT_EQ(reading->mesh.triangles.size(), model.mesh.triangles.size());
+  auto const posed = print_pose(model.mesh, 100);
+  auto const first = reading->mesh.points[static_cast<std::size_t>(reading->mesh.triangles[7][1])];
+  EXPECT_LT(distance(first, posed.points[static_cast<std::size_t>(posed.triangles[7][1])]), 1e-5);
 }
 
 TEST(ReadMesh, StlAsText) {

@@ -89,9 +89,9 @@ inline Outline circle_outline(Vec2 centre, double radius_px) {
     Vec2 const next = {-along.y, along.x};  // clockwise on the screen: positive area
     Vec2 const from = centre + radius_px * along;
     Vec2 const to = centre + radius_px * next;
-    outline.pieces.push_back({Cubic{{from, from + kHandle * radius_px * next,
-                                    to + kHandle * radius_px * along, to}},
-                              RunKind::Ink});
+    outline.pieces.push_back(
+        {Cubic{{from, from + kHandle * radius_px * next, to + kHandle * radius_px * along, to}},
+         RunKind::Ink});
     along = next;
   }
   outline.pieces.back().curve.control[3] = outline.pieces.front().curve.control[0];
@@ -119,8 +119,7 @@ inline Layer& add_disc(Drawing& drawing, Vec2 centre, double radius_px, Colour i
 /// Adds a straight stroke as a detail of a layer.
 inline void add_detail(Drawing& drawing, int layer, Vec2 from, Vec2 to, Colour ink,
                        double width_px = 6) {
-  drawing.sketch.strokes.push_back(
-      {{{from}, {to}}, StrokeKind::Ink, width_px, ink});
+  drawing.sketch.strokes.push_back({{{from}, {to}}, StrokeKind::Ink, width_px, ink});
   drawing.layers[static_cast<std::size_t>(layer)].details.push_back(
       static_cast<int>(std::ssize(drawing.sketch.strokes)) - 1);
 }

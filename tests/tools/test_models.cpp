@@ -6,7 +6,9 @@
 #include <span>
 #include <string>
 
+#include "io/print_objects.h"
 #include "io/print_pose.h"
+#include "io/write_3mf.h"
 #include "io/write_glb.h"
 #include "io/write_obj.h"
 #include "io/write_stl.h"
@@ -34,12 +36,19 @@ bool write_obj_files(std::filesystem::path const& folder, std::string const& nam
          write(folder / (name + ".png"), files.png);
 }
 
+bool write_3mf_file(std::filesystem::path const& path, RestModel const& model) {
+  std::vector<PrintColour> colours;
+  for (auto const& layer : model.layer_names) colours.push_back({layer, {214, 141, 104}});
+  return write(path, write_3mf(print_objects(model), colours));
+}
+
 bool write_all_formats(std::filesystem::path const& folder, std::string const& name,
                        RestModel const& model) {
   auto const texture = sheet_texture(model, red_over_blue(256));
   return write(folder / (name + ".glb"), write_glb(model, &texture, name)) &&
          write(folder / (name + "_clay.glb"), write_glb(model, nullptr, name)) &&
          write(folder / (name + ".stl"), write_stl(print_pose(model.mesh))) &&
+         write_3mf_file(folder / (name + ".3mf"), model) &&
          write_obj_files(folder, name, model, texture);
 }
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solidify/solidify.h"
+
+#include <algorithm>
+
+#include "solidify/march.h"
+#include "solidify/print_space.h"
+#include "solidify/smooth_creases.h"
+
+namespace inkflate {
+namespace {
+
+Error cancelled() { return {ErrorCode::Cancelled, "Cancelled."}; }
+
+/// The mesh in mm, standing on z = 0.
+void move_to_mm(TriMesh& mesh, PrintSpace const& space, bool has_flat_base) {
+  double lowest = space.zero.z;
+  if (!has_flat_base && !mesh.points.empty()) {
+    lowest = std::min_element(mesh.points.begin(), mesh.points.end(), [](Vec3 a, Vec3 b) {
+               return a.z < b.z;
+             })->z;
+  }
+  for (auto& point : mesh.points)
+    point = (point - Vec3{space.zero.x, space.zero.y, lowest}) * space.unit_mm;
+}
+
+}  // namespace
+
+Result<TriMesh> solidify(TriMesh const& model, SolidifyOptions const& options,
+                         Progress const& progress) {
+  if (!progress.enter("lay into the lattice")) return cancelled();
+  auto const space = make_print_space(model, options);
+  if (!space) return space.error();
+
+  Solid solid;
+  solid.lattice = space->lattice;
+  for (int f = 0; f < kFamilies; ++f) {
+    if (!progress.enter("scan lines")) return cancelled();
+    LineSpans& family = solid.families.emplace_back(solid.lattice, f);
+    if (auto const scanned = family.scan(space->mesh); !scanned) return scanned.error();
+  }
+  if (!progress.enter("thicken")) return cancelled();
+  solid.balls = fill_balls(space->mesh, solid.families, space->least);
+  if (options.has_flat_base) {
+    solid.base = space->zero.z;
+    for (auto& family : solid.families) family.cut_below(solid.base);
+  }
+  if (!progress.enter("tell inside from outside")) return cancelled();
+  label_nodes(solid);
+  if (!progress.enter("cut edges")) return cancelled();
+  Cuts const cuts(solid);
+  if (!progress.enter("move nodes")) return cancelled();
+  SnappedNodes const snapped = snap_nodes(solid, cuts);
+  if (!progress.enter("march")) return cancelled();
+  MarchedMesh marched = march(solid, cuts, snapped);
+  if (!progress.enter("smooth creases")) return cancelled();
+  smooth_creases(marched, solid.base);
+  TriMesh& mesh = marched.mesh;
+  if (mesh.triangles.empty())
+    return Error{ErrorCode::NothingThere, "The model has no inside: there is nothing to print."};
+  move_to_mm(mesh, *space, options.has_flat_base);
+  return std::move(mesh);
+}
+
+}  // namespace inkflate
