@@ -20,6 +20,9 @@ constexpr double kRimSpacingPx = 4;
 /// them the limb may rise from the sheet where it would otherwise sink into the host's rim.
 constexpr double kSoftMiddle = 0.01;
 
+/// Where hundreds of layers lie on one another, only so many points are looked at, evenly.
+constexpr double kMostLookups = 5e5;
+
 /// Steeper than 60 degrees a part would look torn off.
 constexpr double kSteepest = 1.7;
 
@@ -86,10 +89,25 @@ void add_rule_at(Pair const& pair, std::span<LayerShape const> shapes, Vec2 p, d
                    pair.group});
 }
 
-/// Looks up the vertices and the drawn edges of one layer in another. visit(p, own height, other's height)
+/// How many points there are to look up in all pairs of layers.
+double count_lookups(std::span<LayerShape const> shapes) {
+  double count = 0;
+  for (std::size_t j = 0; j < shapes.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      if (!overlap(shapes[i].grid.box(), shapes[j].grid.box())) continue;
+      count += static_cast<double>(shapes[i].mesh.points.size() + shapes[j].mesh.points.size());
+    }
+  }
+  return count;
+}
+
+/// Looks up a layer's points and its drawn edges in another, one in `stride`. visit(p, own height, other's height)
 template <typename Visit>
-void for_each_common_point(LayerShape const& own, LayerShape const& other, Visit visit) {
+void for_each_common_point(LayerShape const& own, LayerShape const& other, int stride,
+                           Visit visit) {
+  int turn = 0;
   auto const look = [&](Vec2 p, double height) {
+    if (++turn % stride != 0) return;
     if (auto const place = other.grid.find(p)) {
       visit(p, height, interpolate(other.mesh, other.heights, *place));
     }
@@ -104,7 +122,9 @@ void for_each_common_point(LayerShape const& own, LayerShape const& other, Visit
       if (own.kinds[a] != VertexKind::Drawn || own.kinds[b] != VertexKind::Drawn) continue;
       Vec2 const from = own.mesh.points[a];
       Vec2 const to = own.mesh.points[b];
-      int const pieces = static_cast<int>(std::ceil(distance(from, to) / kRimSpacingPx));
+      // A mesh much coarser than ours still gets a few points on each edge.
+      int const pieces =
+          static_cast<int>(std::ceil(std::min(distance(from, to) / kRimSpacingPx, 16.0)));
       for (int n = 1; n < pieces; ++n) look(lerp(from, to, static_cast<double>(n) / pieces), 0);
     }
   }
@@ -150,6 +170,7 @@ void add_order_rules(FlatModel const& model, std::span<LayerShape const> shapes,
     joints[model.joints[i].limb].push_back(i);
     joints[model.joints[i].host].push_back(i);
   }
+  int const stride = 1 + static_cast<int>(count_lookups(shapes) / kMostLookups);
   int group = 0;
   for (int j = 0; j < std::ssize(shapes); ++j) {
     for (int i = 0; i < j; ++i) {
@@ -158,10 +179,10 @@ void add_order_rules(FlatModel const& model, std::span<LayerShape const> shapes,
       pair.group = group++;
       auto const& behind = shapes[pair.behind];
       auto const& before = shapes[pair.before];
-      for_each_common_point(before, behind, [&](Vec2 p, double own, double other) {
+      for_each_common_point(before, behind, stride, [&](Vec2 p, double own, double other) {
         add_rule_at(pair, shapes, p, other, own, weight, rules);
       });
-      for_each_common_point(behind, before, [&](Vec2 p, double own, double other) {
+      for_each_common_point(behind, before, stride, [&](Vec2 p, double own, double other) {
         add_rule_at(pair, shapes, p, own, other, weight, rules);
       });
     }
