@@ -3,7 +3,8 @@
 
 build_packages=(g++ cmake ninja-build ccache libcli11-dev nlohmann-json3-dev libstb-dev libeigen3-dev)
 test_packages=(clang clang-format clang-tidy libclang-rt-dev libgtest-dev googletest
-  libbenchmark-dev librapidcheck-dev emscripten nodejs python3 git ca-certificates)
+  libbenchmark-dev librapidcheck-dev emscripten nodejs python3 git ca-certificates admesh)
+judge_packages=(assimp-utils blender python3-numpy godot3-server prusa-slicer chromium)
 
 # need_packages NAME...: installs those that are missing with apt; says what it does.
 need_packages() {

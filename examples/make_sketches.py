@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes the example sketches.
 
-  python3 examples/make_sketches.py              write all of examples/sketches/*.svg
+  python3 examples/make_sketches.py              write all of examples/sketches and examples/characters
   python3 examples/make_sketches.py goose crab   write only these
   python3 examples/make_sketches.py --check      exit with 1 if a file differs from what would be made
 
@@ -15,11 +15,11 @@ from pathlib import Path
 
 from sketching.sheet import Sheet
 from sketching.svg import document
-from subjects import birds, insects, mammals, reptiles, sea, shapes
+from subjects import birds, fantasy, insects, kitchen, mammals, pets, reptiles, sea, shapes
 
-FOLDER = Path(__file__).resolve().parent / "sketches"
+TOP = Path(__file__).resolve().parent
 
-SUBJECTS = {
+SKETCHES = {
     "goose": birds.goose,
     "vase": shapes.vase,
     "blob": shapes.blob,
@@ -34,6 +34,16 @@ SUBJECTS = {
     "octopus": sea.octopus,
 }
 
+CHARACTERS = {
+    "dog": pets.dog,
+    "snail": pets.snail,
+    "mug": kitchen.mug,
+    "robot": fantasy.robot,
+    "dragon": fantasy.dragon,
+}
+
+SUBJECTS = {**SKETCHES, **CHARACTERS}
+
 
 def made(name):
     """The text of one example file."""
@@ -46,11 +56,12 @@ def made(name):
 def differing(names):
     """The files that are missing or differ, and those that nothing makes."""
     found = [n for n in names if not file_of(n).exists() or file_of(n).read_bytes() != made(n)]
-    return found + [f.stem for f in sorted(FOLDER.glob("*.svg")) if f.stem not in SUBJECTS]
+    known = [file_of(name) for name in SUBJECTS]
+    return found + [f.stem for f in sorted(TOP.glob("*/*.svg")) if f not in known]
 
 
 def file_of(name):
-    return FOLDER / f"{name}.svg"
+    return TOP / ("sketches" if name in SKETCHES else "characters") / f"{name}.svg"
 
 
 def main():
@@ -67,8 +78,8 @@ def main():
         for name in wrong:
             print(f"{file_of(name)}: differs; run python3 examples/make_sketches.py", file=sys.stderr)
         return 1 if wrong else 0
-    FOLDER.mkdir(exist_ok=True)
     for name in names:
+        file_of(name).parent.mkdir(exist_ok=True)
         file_of(name).write_bytes(made(name))
     return 0
 

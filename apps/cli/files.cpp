@@ -63,7 +63,20 @@ Result<TemporaryFile> make_temporary(std::string const& folder) {
   return system_error("cannot write into " + folder, EEXIST);
 }
 
-std::optional<Error> replace_file(std::string const& path, std::span<std::byte const> content) {
+enum class LastVersion { Drop, Keep };
+
+/// Gives the file a second name, by renaming a third one, so that the last version before it stays until then. The file system's
+/// reasons why not (no links there, too long a name) are no reason to stop a save.
+void keep_last_version(std::string const& path, std::string const& temporary_path) {
+  std::string const link = temporary_path + "~";
+  if (::link(path.c_str(), link.c_str()) != 0) return;
+  if (std::rename(link.c_str(), (path + "~").c_str()) != 0) errno = 0;
+  // Renaming one name of a file to another name of the same file does nothing.
+  ::unlink(link.c_str());
+}
+
+std::optional<Error> replace_file(std::string const& path, std::span<std::byte const> content,
+                                  LastVersion last_version) {
   struct stat old = {};
   bool const keeps_mode = ::lstat(path.c_str(), &old) == 0 && S_ISREG(old.st_mode);
   auto temporary = make_temporary(folder_of(path));
@@ -71,9 +84,12 @@ std::optional<Error> replace_file(std::string const& path, std::span<std::byte c
   auto& descriptor = temporary->descriptor;
   // Rights that cannot be kept are no reason to lose the work.
   if (keeps_mode && ::fchmod(descriptor.number(), old.st_mode & 07777U) != 0) errno = 0;
-  bool const is_done = write_all(descriptor.number(), content) &&
-                       ::fsync(descriptor.number()) == 0 && descriptor.close() &&
-                       std::rename(temporary->path.c_str(), path.c_str()) == 0;
+  bool is_done = write_all(descriptor.number(), content) && ::fsync(descriptor.number()) == 0 &&
+                 descriptor.close();
+  if (is_done && keeps_mode && last_version == LastVersion::Keep) {
+    keep_last_version(path, temporary->path);
+  }
+  is_done = is_done && std::rename(temporary->path.c_str(), path.c_str()) == 0;
   if (!is_done) {
     int const number = errno;
     ::unlink(temporary->path.c_str());
@@ -94,19 +110,32 @@ Result<std::vector<std::byte>> read_file(std::string const& path) {
   return read_all(descriptor.number());
 }
 
-std::optional<Error> write_file(std::string const& path, std::span<std::byte const> content) {
+namespace {
+
+std::optional<Error> put_file(std::string const& path, std::span<std::byte const> content,
+                              LastVersion last_version) {
   if (path == kStandardStream) {
     if (write_all(STDOUT_FILENO, content)) return std::nullopt;
     return system_error("cannot write to standard output", errno);
   }
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode)) {
-    return replace_file(path, content);
+    return replace_file(path, content, last_version);
   }
   if (S_ISDIR(status.st_mode)) return system_error("cannot write " + path, EISDIR);
   Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (descriptor.is_open() && write_all(descriptor.number(), content)) return std::nullopt;
   return system_error("cannot write " + path, errno);
+}
+
+}  // namespace
+
+std::optional<Error> write_file(std::string const& path, std::span<std::byte const> content) {
+  return put_file(path, content, LastVersion::Drop);
+}
+
+std::optional<Error> save_file(std::string const& path, std::span<std::byte const> content) {
+  return put_file(path, content, LastVersion::Keep);
 }
 
 std::optional<Error> write_file(std::string const& path, std::string_view content) {

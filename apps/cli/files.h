@@ -29,4 +29,8 @@ Result<std::vector<std::byte>> read_file(std::string const& path);
 std::optional<Error> write_file(std::string const& path, std::span<std::byte const> content);
 std::optional<Error> write_file(std::string const& path, std::string_view content);
 
+/// As write_file; and the regular file that was there before stays beside it under the name with a "~" at its end, where the
+/// file system lets us: work is not lost for want of its last version.
+std::optional<Error> save_file(std::string const& path, std::span<std::byte const> content);
+
 }  // namespace inkflate::cli

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "io/read_picture.h"
+
 namespace inkflate::cli {
 
 std::optional<double> parse_number(std::string_view text) {
@@ -12,6 +14,23 @@ std::optional<double> parse_number(std::string_view text) {
   auto const [stopped, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || stopped != end || !std::isfinite(number)) return std::nullopt;
   return number;
+}
+
+Result<PictureSize> parse_picture_size(std::string_view option, std::string_view text) {
+  auto const cross = text.find('x');
+  auto const width = parse_number(text.substr(0, cross));
+  auto const height =
+      cross == std::string_view::npos ? width : parse_number(text.substr(cross + 1));
+  auto const is_side = [](std::optional<double> side) {
+    return side && *side >= 1 && *side <= PictureLimits::kSidePx && *side == std::floor(*side);
+  };
+  if (is_side(width) && is_side(height) && *width * *height <= PictureLimits::kPixels) {
+    return PictureSize{static_cast<int>(*width), static_cast<int>(*height)};
+  }
+  return Error{ErrorCode::BadOption,
+               std::string(option) +
+                   " wants N or WxH, whole px up to 16384 and 64 megapixels, not " +
+                   std::string(text)};
 }
 
 Result<Vec2> parse_point(std::string_view option, std::string_view text) {

@@ -48,6 +48,12 @@ Result<std::vector<std::string>> plan_outputs(std::vector<std::string> const& in
   return outputs;
 }
 
+std::string lower_extension(std::string const& path) {
+  auto extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+  return extension;
+}
+
 std::optional<Error> make_folder(std::string const& name) {
   if (!name.ends_with('/')) return std::nullopt;
   std::error_code error;

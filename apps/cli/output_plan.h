@@ -23,6 +23,9 @@ struct OutputRule {
 Result<std::vector<std::string>> plan_outputs(std::vector<std::string> const& inputs,
                                               OutputRule const& rule);
 
+/// The extension of a path with its dot, in lower case: ".svg".
+std::string lower_extension(std::string const& path);
+
 /// Makes the folder, and those above it, of a name that ends with a slash; other names are left alone.
 ///
 /// out     nothing: done; else FileSystem

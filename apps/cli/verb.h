@@ -32,5 +32,10 @@ struct Verb {
 
 /// One for each verb, in NAME_verb.cpp.
 Verb declare_simplify(CLI::App& program);
+Verb declare_inflate(CLI::App& program);
+Verb declare_render(CLI::App& program);
+Verb declare_convert(CLI::App& program);
+Verb declare_info(CLI::App& program);
+Verb declare_check(CLI::App& program);
 
 }  // namespace inkflate::cli

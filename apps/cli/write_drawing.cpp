@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "cli/files.h"
+#include "cli/output_plan.h"
 #include "io/read_picture.h"
+#include "io/write_inkflate.h"
+#include "io/write_monster_mash.h"
 #include "io/write_png.h"
 #include "io/write_svg.h"
 #include "render/draw_drawing.h"
@@ -36,26 +38,43 @@ std::optional<Error> check_picture_size(Sketch const& canvas) {
 
 Result<DrawingFormat> drawing_format(std::string const& path) {
   if (path == kStandardStream) return DrawingFormat::Svg;
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+  auto const extension = lower_extension(path);
   if (extension == ".svg") return DrawingFormat::Svg;
   if (extension == ".png") return DrawingFormat::Mask;
-  return Error{ErrorCode::BadOption, "cannot write " + path + ": simplify writes .svg and .png"};
+  if (extension == ".inkflate") return DrawingFormat::Inkflate;
+  if (extension == ".zip") return DrawingFormat::MonsterMash;
+  return Error{ErrorCode::BadOption,
+               "cannot write " + path + ": drawings are written as .svg, .inkflate, .zip and .png"};
 }
 
-std::optional<Error> write_drawing(Drawing const& drawing, DrawingFormat format,
+std::optional<Error> write_drawing(Project const& project, DrawingFormat format,
                                    std::string const& path) {
-  if (format == DrawingFormat::Svg) return write_file(path, write_svg(drawing));
-  if (auto error = check_picture_size(drawing.sketch)) return error;
-  return write_file(path, write_png(draw_mask(drawing)));
+  switch (format) {
+    case DrawingFormat::Svg:
+      return write_file(path, write_svg(project.drawing));
+    case DrawingFormat::Inkflate: {
+      auto const content = write_inkflate(project);
+      return content ? save_file(path, *content) : content.error();
+    }
+    case DrawingFormat::MonsterMash: {
+      auto const content = write_monster_mash(project);
+      return content ? write_file(path, *content) : content.error();
+    }
+    case DrawingFormat::Mask:
+      break;
+  }
+  if (auto error = check_picture_size(project.drawing.sketch)) return error;
+  return write_file(path, write_png(draw_mask(project.drawing)));
 }
 
 std::optional<Error> write_drawing_picture(Drawing const& drawing, std::string const& path) {
   if (auto error = check_picture_size(drawing.sketch)) return error;
   DrawDrawingOptions const options = {.rough_strokes = RoughStrokes::Faint};
-  auto const picture = rasterise(
-      draw_drawing(drawing, options), static_cast<int>(std::ceil(drawing.sketch.width_px)),
-      static_cast<int>(std::ceil(drawing.sketch.height_px)), palette::kPaper);
+  auto const list =
+      drawing.layers.empty() ? draw_sketch(drawing.sketch) : draw_drawing(drawing, options);
+  auto const picture =
+      rasterise(list, static_cast<int>(std::ceil(drawing.sketch.width_px)),
+                static_cast<int>(std::ceil(drawing.sketch.height_px)), palette::kPaper);
   return write_file(path, write_png(picture));
 }
 

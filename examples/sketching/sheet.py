@@ -7,6 +7,9 @@ from sketching.hand import Hand, scribble, straight, zigzag
 
 INK, GREY, BLUE = "#22242b", "#6a6f7d", "#a9bedb"
 WARM, GREEN, TEAL = "#b4533c", "#5d8a54", "#159c95"
+WHITE, CREAM, BUTTER, HONEY = "#fffdf8", "#fdeecb", "#fbe08a", "#f4b860"
+CORAL, ROSE, CHERRY, BROWN, COCOA = "#f58a6c", "#f7b5b8", "#d8434e", "#a8693f", "#6b4230"
+LEAF, MINT, SKY, SEA, LILAC = "#8cc56a", "#a9dcc3", "#8cc8ee", "#3f8fb5", "#b9a3e3"
 NEAR_PX = 14.0  # a gap is asked for by a place; it lies on every curve that passes this near
 
 
@@ -17,6 +20,15 @@ class Mark:
         self.points, self.colour, self.width, self.is_help = points, colour, width, is_help
 
 
+class Group:
+    """Marks that may become a layer; `copies` names a group that is drawn again, moved by `transform`."""
+
+    def __init__(self, name, fill="", thickness=0.0, copies="", transform=""):
+        self.name, self.fill, self.thickness = name, fill, thickness
+        self.copies, self.transform = copies, transform
+        self.marks = []
+
+
 class Sheet:
     """A drawing: named groups of marks, in the order in which they are drawn."""
 
@@ -25,9 +37,13 @@ class Sheet:
         self.groups = []
         self.place = lambda x, y: (x, y)  # moves designed points; set while a tilted part is drawn
 
-    def group(self, name):
-        """Starts a group: a candidate layer."""
-        self.groups.append((name, []))
+    def group(self, name, fill="", thickness=0.0):
+        """Starts a group: a candidate layer, with its colour and how round it is (0: as usual)."""
+        self.groups.append(Group(name, fill, thickness))
+
+    def copy(self, name, of, transform, fill="", thickness=0.0):
+        """A group that shows another one once more: a far leg."""
+        self.groups.append(Group(name, fill, thickness, of, transform))
 
     def outline(self, *shapes, closed=False, passes=3, gaps="", width=2.5, reach=1.0):
         """Contours that matter: several overlapping passes, some bits restated.
@@ -41,6 +57,15 @@ class Sheet:
             for curve in pieces_of(points, closed):
                 for stroke in hand.passes(curve, passes, self.gaps_on(curve, gaps)):
                     self.add(stroke, INK, width + chance.about(0.6))
+
+    def small(self, *shapes, closed=True, width=2.5):
+        """Contours too small for a swinging arm: two careful passes."""
+        for points in map(self.designed, shapes):
+            chance = self.chance()
+            hand = Hand(chance, drift=1.0, tremor=0.25, flare=1.6, reach=1.8, skip=0)
+            for curve in pieces_of(points, closed):
+                for stroke in hand.passes(curve, 2):
+                    self.add(stroke, INK, width + chance.about(0.4))
 
     def line(self, *shapes, closed=False, width=1.9, colour=INK, loose=1.0):
         """Inner detail: drawn once."""
@@ -78,6 +103,18 @@ class Sheet:
             # Too fast for the hand to correct anything: the bare curve, thinly sampled.
             self.add(smooth_through(turns)[::18], colour, width + chance.about(0.4))
 
+    def dab(self, *places, radius=16, turns=4, colour=ROSE, width=6.0):
+        """Filled spots, as with a thick crayon: a cheek, a nose, a patch of fur. places: "x,y x,y" """
+        for text in places:
+            for x, y, _ in parse(text):
+                self.eye(x, y, radius, turns, colour, width)
+
+    def pupil(self, x, y, radius):
+        """A dark filled spot with a glint."""
+        self.eye(x, y, radius - 3, turns=radius / 3, colour=INK, width=6)
+        self.line([(x - 0.4 * radius, y - 0.25 * radius, False), (x - 0.1 * radius, y - 0.5 * radius, False)],
+                  width=4.5, colour=WHITE, loose=0)
+
     def guide(self, *shapes, closed=False):
         """Light construction lines, meant to be ignored."""
         self.line(*shapes, closed=closed, width=1.3, colour=BLUE, loose=1.5)
@@ -110,8 +147,8 @@ class Sheet:
         return gaps
 
     def chance(self):
-        group, marks = self.groups[-1]
-        return Chance(f"{self.name}/{group}/{len(marks)}")
+        group = self.groups[-1]
+        return Chance(f"{self.name}/{group.name}/{len(group.marks)}")
 
     def add(self, points, colour, width, is_help=False):
-        self.groups[-1][1].append(Mark(points, colour, width, is_help))
+        self.groups[-1].marks.append(Mark(points, colour, width, is_help))

@@ -40,12 +40,21 @@ def path(mark):
     return f'<path{colour} stroke-width="{number(mark.width)}" d="{path_data(mark.points)}"/>'
 
 
+def opening(group):
+    """The tag that starts a group."""
+    fill = f' data-fill="{group.fill}"' if group.fill else ""
+    thickness = f' data-thickness="{number(group.thickness)}"' if group.thickness else ""
+    return f'<g id="{group.name}"{fill}{thickness}>'
+
+
 def document(sheet):
     """The whole file as text."""
     lines = [HEAD.format(title=sheet.title, ink=INK)]
-    for name, marks in sheet.groups:
-        lines.append(f'    <g id="{name}">\n')
-        lines += [f"      {path(mark)}\n" for mark in marks]
+    for group in sheet.groups:
+        lines.append(f"    {opening(group)}\n")
+        lines += [f"      {path(mark)}\n" for mark in group.marks]
+        if group.copies:
+            lines.append(f'      <use href="#{group.copies}" transform="{group.transform}"/>\n')
         lines.append("    </g>\n")
     lines.append("  </g>\n</svg>\n")
     return "".join(lines)

@@ -4,11 +4,10 @@
 #include <vector>
 
 #include "geometry/polyline.h"
+#include "image/components.h"
 #include "image/grid2.h"
 
 namespace inkflate {
-
-enum class Neighbours { Four, Eight };
 
 /// Connected pieces: labels 1 ... count in the order of their first pixels, row by row; 0: background.
 struct Pieces {

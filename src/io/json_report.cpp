@@ -17,6 +17,10 @@ double rounded(double number) { return std::round(number * 1000) / 1000; }
 
 Json point_json(Vec2 point) { return Json::array({rounded(point.x), rounded(point.y)}); }
 
+Json point_json(Vec3 point) {
+  return Json::array({rounded(point.x), rounded(point.y), rounded(point.z)});
+}
+
 Json contour_json(Outline const& outline) {
   auto const contour = flatten(outline, kTolerancePx);
   double const area = signed_area(contour);
@@ -93,6 +97,23 @@ std::string json_report(Drawing const& drawing, std::span<StageTime const> stage
   json["closings"] = runs_json(drawing.layers, RunKind::Closing);
   json["open"] = runs_json(drawing.layers, RunKind::HelpLine);
   json["stray"] = drawing.stray.size();
+  json["ms"] = times_json(stages);
+  return text_of(json);
+}
+
+std::string json_report(TriMesh const& mesh, MeshCheck const& check, ModelFacts const& facts,
+                        std::span<StageTime const> stages) {
+  Json json;
+  json["vertices"] = mesh.points.size();
+  json["triangles"] = mesh.triangles.size();
+  json["layers"] = facts.layers;
+  json["shells"] = check.shells;
+  json["genus"] = check.genus;
+  json["unit"] = facts.unit;
+  json["volume"] = rounded(check.volume);
+  json["bounding_box"]["min"] = point_json(check.min);
+  json["bounding_box"]["max"] = point_json(check.max);
+  json["ok"] = check.is_sound();
   json["ms"] = times_json(stages);
   return text_of(json);
 }

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "base/stage_time.h"
+#include "mesh/check_mesh.h"
 #include "model/drawing.h"
 
 namespace inkflate {
@@ -21,6 +22,21 @@ namespace inkflate {
 /// stray are counts; closings and open runs name their layer by index. Keys keep this order. The stages "read" and
 /// "write" are listed but not part of the total.
 std::string json_report(Drawing const& drawing, std::span<StageTime const> stages);
+
+/// What there is to say about a model that was made, beside its mesh.
+struct ModelFacts {
+  int layers = 0;
+  std::string unit = "px";  // of the mesh
+};
+
+/// The JSON object that `inflate --json` prints, on one line:
+///
+///     {"vertices", "triangles", "layers", "shells", "genus", "unit", "volume", "bounding_box": {"min": [x, y, z], "max": [x, y, z]},
+///      "ok", "ms": {stage: ms, ..., "total"}}
+///
+/// ok: closed, manifold, oriented, finite, no flipped and no zero-area triangle.
+std::string json_report(TriMesh const& mesh, MeshCheck const& check, ModelFacts const& facts,
+                        std::span<StageTime const> stages);
 
 /// {"error": {"code", "message", "where"}}; where is the error's index, or null.
 std::string json_error(Error const& error);

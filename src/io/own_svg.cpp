@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,11 +12,13 @@
 #include "io/sketch_limits.h"
 #include "io/svg_colour.h"
 #include "io/svg_style.h"
+#include "io/svg_units.h"
 #include "io/xml_text.h"
 
 namespace inkflate {
 namespace {
 
+constexpr double kLongestTime = std::numeric_limits<double>::max();
 constexpr int kShortestPiece = 11;  // bytes of six numbers in a path
 
 // The functions below return false where the text is damaged.
@@ -54,17 +57,43 @@ bool parse_indices(std::string_view text, int count, std::vector<int>& indices) 
   return true;
 }
 
-bool parse_samples(std::string_view path, std::optional<std::string_view> pressures,
-                   std::vector<Sample>& samples) {
+bool parse_positions(std::string_view path, std::vector<Sample>& samples) {
   while (!(path = trimmed(path)).empty()) {
     if (samples.size() < 2) take_char(path, samples.empty() ? 'M' : 'L');
     Sample sample;
-    bool const is_whole = take_point(path, sample.position) &&
-                          (!pressures || take_finite(*pressures, sample.pressure));
-    if (!is_whole) return false;
+    if (!take_point(path, sample.position)) return false;
     samples.push_back(sample);
   }
-  return !pressures || trimmed(*pressures).empty();
+  return true;
+}
+
+// One number for each sample; without a list all keep what they have.
+bool parse_per_sample(std::optional<std::string_view> numbers, double Sample::*member, double most,
+                      std::vector<Sample>& samples) {
+  if (!numbers) return true;
+  for (auto& sample : samples) {
+    if (!take_finite(*numbers, sample.*member)) return false;
+    if (sample.*member < 0 || sample.*member > most) return false;
+  }
+  return trimmed(*numbers).empty();
+}
+
+bool parse_samples(SvgElement const& element, std::vector<Sample>& samples) {
+  return parse_positions(element["d"], samples) &&
+         parse_per_sample(element.find("inkflate:pressure"), &Sample::pressure, 1, samples) &&
+         parse_per_sample(element.find("inkflate:time"), &Sample::time_s, kLongestTime, samples);
+}
+
+// Of a group or a layer. Files of the first version have neither.
+bool parse_look(SvgElement const& element, std::optional<Colour>& fill, double& thickness) {
+  if (auto const text = element.find("inkflate:fill")) {
+    fill = parse_colour(*text);
+    if (!fill) return false;
+  }
+  auto const text = element.find("inkflate:thickness");
+  auto const number = text ? parse_thickness(*text) : thickness;
+  thickness = number.value_or(thickness);
+  return number.has_value();
 }
 
 bool parse_stroke(SvgElement const& element, int group_count, Stroke& stroke) {
@@ -80,7 +109,7 @@ bool parse_stroke(SvgElement const& element, int group_count, Stroke& stroke) {
     if (!index || *index >= group_count) return false;
     stroke.group = *index;
   }
-  return parse_samples(element["d"], element.find("inkflate:pressure"), stroke.samples);
+  return parse_samples(element, stroke.samples);
 }
 
 // piece_room is as many pieces as the path can hold: a count in a file is not believed.
@@ -190,7 +219,9 @@ class OwnReader {
     for (int i = group + 1; i < end_of(group); i = end_of(i)) {
       auto const element = tree_.element(i);
       if (element.full_name() == "inkflate:group") {
-        sketch.groups.push_back(clean_utf8(element["name"]));
+        StrokeGroup read = {clean_utf8(element["name"])};
+        if (!parse_look(element, read.fill, read.thickness)) return i;
+        sketch.groups.push_back(std::move(read));
       } else if (element.name() == "path") {
         Stroke stroke;
         int const group_count = static_cast<int>(std::ssize(sketch.groups));
@@ -208,7 +239,8 @@ class OwnReader {
     layer.name = clean_utf8(element["inkflate:name"]);
     bool const has_lists =
         parse_indices(element["inkflate:strokes"], stroke_count(), layer.strokes) &&
-        parse_indices(element["inkflate:details"], stroke_count(), layer.details);
+        parse_indices(element["inkflate:details"], stroke_count(), layer.details) &&
+        parse_look(element, layer.fill, layer.thickness);
     if (!has_lists) return group;
     for (int i = group + 1; i < end_of(group); i = end_of(i)) {
       auto const child = tree_.element(i);

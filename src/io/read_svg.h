@@ -31,7 +31,8 @@ struct SvgReading {
 ///         sheets. A file by write_svg gives back its Drawing exactly instead.
 /// out     strokes in drawing order, curves sampled to 0.1 px, a closed subpath's first sample repeated at its end; what is
 ///         filled but not stroked comes as its outline. Help lines are dashed, or have a class with "help", or lie in a group
-///         whose name starts with "help". Groups are the top-level groups, other than those of help lines.
+///         whose name starts with "help". Groups are the top-level groups, other than those of help lines; their
+///         attributes data-fill (a colour) and data-thickness (0.1 .. 32) are what the layer shall look like.
 ///         Not drawn: text, pictures, clips, masks, markers, patterns, anything outside the file.
 /// errors  BadInput (index: the byte), TooLarge, Unsupported (UTF-16, entities)
 /// cost    O(bytes + samples); what use elements copy is limited, see docs/LIMITS.md

@@ -8,6 +8,7 @@
 
 #include "geometry/trig.h"
 #include "io/numbers.h"
+#include "model/stroke.h"
 
 namespace inkflate {
 namespace {
@@ -92,6 +93,14 @@ std::optional<double> length_px(std::string_view text, double percent_base) {
     if (unit == name && std::isfinite(length)) return length;
   }
   return std::nullopt;
+}
+
+std::optional<double> parse_thickness(std::string_view text) {
+  text = trimmed(text);
+  auto const number = take_number(text);
+  bool const is_legal = number && text.empty() && *number >= kLeastThickness &&
+                        *number <= kLargestThickness;  // false for NaN too
+  return is_legal ? number : std::nullopt;
 }
 
 std::optional<Affine> parse_transform(std::string_view text) {

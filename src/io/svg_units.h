@@ -13,6 +13,9 @@ namespace inkflate {
 /// not finite. No fonts are read: an em is 16 px.
 std::optional<double> length_px(std::string_view text, double percent_base);
 
+/// A layer's thickness: a number in kLeastThickness .. kLargestThickness and nothing else.
+std::optional<double> parse_thickness(std::string_view text);
+
 /// SVG's list of matrix, translate, scale, rotate, skewX and skewY. Nothing where it is damaged.
 std::optional<Affine> parse_transform(std::string_view text);
 

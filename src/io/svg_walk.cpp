@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/numbers.h"
+#include "io/svg_colour.h"
 #include "io/svg_shapes.h"
 #include "io/svg_units.h"
 #include "io/xml_text.h"
@@ -304,9 +305,24 @@ int SvgWalk::group_index(int node) {
   int const index = static_cast<int>(std::ssize(groups));
   auto const element = tree_.element(node);
   auto const name = trimmed(element.find(kLabel).value_or(element["id"]));
-  groups.push_back(name.empty() ? "group " + std::to_string(index + 1) : clean_utf8(name));
+  StrokeGroup group;
+  group.name = name.empty() ? "group " + std::to_string(index + 1) : clean_utf8(name);
+  read_group_data(node, element, group);
+  groups.push_back(std::move(group));
   group_of_node_[node] = index;
   return index;
+}
+
+void SvgWalk::read_group_data(int node, SvgElement const& element, StrokeGroup& group) {
+  if (auto const text = element.find("data-fill")) {
+    group.fill = parse_colour(trimmed(*text));
+    if (!group.fill) warn("a data-fill that is no colour", node);
+  }
+  if (auto const text = element.find("data-thickness")) {
+    auto const thickness = parse_thickness(*text);
+    if (!thickness) warn("a data-thickness that is not within 0.1 .. 32", node);
+    group.thickness = thickness.value_or(group.thickness);
+  }
 }
 
 void SvgWalk::warn(std::string_view reason, int node) {

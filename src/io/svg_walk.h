@@ -72,6 +72,7 @@ class SvgWalk {
   bool is_background(std::vector<Polyline> const& subpaths) const;
   bool contains_open_use(int node) const;
   int group_index(int node);
+  void read_group_data(int node, SvgElement const& element, StrokeGroup& group);
   void warn(std::string_view reason, int node);
 
   SvgTree const& tree_;

@@ -2,18 +2,17 @@
 #include "io/write_svg.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <span>
 
 #include "io/numbers.h"
 #include "io/own_svg.h"
+#include "io/svg_colour.h"
 #include "io/xml_text.h"
 
 namespace inkflate {
 namespace {
 
-constexpr char kFillColour[] = "#f4ecdd";
+constexpr Colour kFillColour = {0xf4, 0xec, 0xdd};
 
 // Exact numbers carry the data, rounded ones are only looked at.
 using AppendNumber = void (*)(std::string&, double);
@@ -64,16 +63,40 @@ void append_indices(std::string& text, std::string_view name, std::vector<int> c
   });
 }
 
+// #rrggbb, as every program knows it.
+std::string opaque_hex(Colour colour) { return colour_hex(colour).substr(0, 7); }
+
+// name is "stroke" or "fill".
+void append_paint(std::string& text, std::string const& name, Colour colour) {
+  append_text_attribute(text, name, opaque_hex(colour));
+  if (colour.a == 255) return;
+  append_attribute(text, name + "-opacity",
+                   [&](std::string& t) { append_rounded(t, colour.a / 255.0); });
+}
+
 void append_pen(std::string& text, Stroke const& stroke) {
-  auto const& c = stroke.colour;
-  std::array<char, 8> hex = {};
-  std::snprintf(hex.data(), hex.size(), "#%02x%02x%02x", c.r, c.g, c.b);
-  append_text_attribute(text, "stroke", hex.data());
-  if (c.a != 255) {
-    append_attribute(text, "stroke-opacity",
-                     [&](std::string& t) { append_rounded(t, c.a / 255.0); });
-  }
+  append_paint(text, "stroke", stroke.colour);
   append_number_attribute(text, "stroke-width", stroke.width_px);
+}
+
+// Of a group or a layer, exactly.
+void append_look(std::string& text, std::optional<Colour> const& fill, double thickness) {
+  if (fill) append_text_attribute(text, "inkflate:fill", colour_hex(*fill));
+  append_number_attribute(text, "inkflate:thickness", thickness);
+}
+
+// A list with one number for each sample, left out where all are what the reader takes without it.
+void append_per_sample(std::string& text, std::string_view name, std::vector<Sample> const& samples,
+                       double Sample::*member, double usual) {
+  bool const is_usual = std::all_of(samples.begin(), samples.end(),
+                                    [&](Sample const& sample) { return sample.*member == usual; });
+  if (is_usual) return;
+  append_attribute(text, name, [&](std::string& t) {
+    for (auto const& sample : samples) {
+      append_number(t, sample.*member);
+      t += ' ';
+    }
+  });
 }
 
 void append_rough_stroke(std::string& text, Stroke const& stroke) {
@@ -82,15 +105,8 @@ void append_rough_stroke(std::string& text, Stroke const& stroke) {
   append_attribute(text, "d",
                    [&](std::string& t) { append_polyline(t, stroke.samples, append_number); });
   append_pen(text, stroke);
-  auto const is_full = [](Sample const& sample) { return sample.pressure == 1; };
-  if (!std::all_of(stroke.samples.begin(), stroke.samples.end(), is_full)) {
-    append_attribute(text, "inkflate:pressure", [&](std::string& t) {
-      for (auto const& sample : stroke.samples) {
-        append_number(t, sample.pressure);
-        t += ' ';
-      }
-    });
-  }
+  append_per_sample(text, "inkflate:pressure", stroke.samples, &Sample::pressure, 1);
+  append_per_sample(text, "inkflate:time", stroke.samples, &Sample::time_s, 0);
   if (stroke.group >= 0) append_number_attribute(text, "inkflate:group", stroke.group);
   text += "/>\n";
 }
@@ -100,9 +116,10 @@ void append_rough(std::string& text, Drawing const& drawing) {
   append_text_attribute(text, "class", kRoughClass);
   if (!drawing.layers.empty()) text += " style=\"display:none\"";
   text += " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-  for (auto const& name : drawing.sketch.groups) {
+  for (auto const& group : drawing.sketch.groups) {
     text += "<inkflate:group";
-    append_text_attribute(text, "name", name);
+    append_text_attribute(text, "name", group.name);
+    append_look(text, group.fill, group.thickness);
     text += "/>\n";
   }
   for (auto const& stroke : drawing.sketch.strokes) append_rough_stroke(text, stroke);
@@ -140,7 +157,8 @@ void append_sources(std::string& text, std::vector<Outline> const& outlines) {
   }
 }
 
-void append_area(std::string& text, std::vector<Outline> const& outlines) {
+void append_area(std::string& text, Layer const& layer) {
+  auto const& outlines = layer.outlines;
   text += "<path class=\"fill\"";
   append_attribute(text, "d", [&](std::string& t) {
     for (auto const& outline : outlines) {
@@ -155,7 +173,7 @@ void append_area(std::string& text, std::vector<Outline> const& outlines) {
   append_attribute(text, "inkflate:kinds", [&](std::string& t) { append_kinds(t, outlines); });
   append_attribute(text, "inkflate:sources", [&](std::string& t) { append_sources(t, outlines); });
   text += " fill-rule=\"evenodd\" stroke=\"none\"";
-  append_text_attribute(text, "fill", kFillColour);
+  append_paint(text, "fill", layer.fill.value_or(kFillColour));
   text += "/>\n";
 }
 
@@ -235,8 +253,9 @@ void append_layer(std::string& text, Drawing const& drawing, std::size_t index) 
   append_text_attribute(text, "inkflate:name", layer.name);
   append_indices(text, "inkflate:strokes", layer.strokes);
   append_indices(text, "inkflate:details", layer.details);
+  append_look(text, layer.fill, layer.thickness);
   text += " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-  append_area(text, layer.outlines);
+  append_area(text, layer);
   for (auto const& outline : layer.outlines) append_runs(text, outline, line_width_px(sketch));
   for (int const stroke : layer.details) {
     append_detail(text, sketch.strokes[static_cast<std::size_t>(stroke)]);

@@ -113,6 +113,7 @@ bool ZlibReader::read(std::span<std::uint8_t> out) {
 bool ZlibReader::finish() {
   std::uint8_t extra = 0;
   if (read(std::span(&extra, 1)) || state_ != State::End) return false;
+  if (frame_ == DeflateFrame::None) return !bits_.is_past_end();
   bits_.align_to_byte();
   std::uint32_t checksum = 0;
   for (int i = 0; i < 4; ++i) checksum = checksum << 8U | bits_.take(8);

@@ -67,16 +67,26 @@ class PrefixCode {
   std::array<std::int16_t, 288> symbols_;  // by code
 };
 
-/// Unpacks a zlib stream (RFC 1950, 1951) step by step into memory that the caller gives: however far a stream would
+/// What is around the packed data.
+enum class DeflateFrame {
+  Zlib,  // a header and a checksum (RFC 1950), as in PNG
+  None,  // nothing (RFC 1951), as in zip archives
+};
+
+/// Unpacks a zlib or deflate stream (RFC 1950, 1951) step by step into memory that the caller gives: however far a stream would
 /// expand, nothing but its 32 kB window is held.
 class ZlibReader {
  public:
-  explicit ZlibReader(std::vector<std::span<std::byte const>> pieces) : bits_(std::move(pieces)) {}
+  explicit ZlibReader(std::vector<std::span<std::byte const>> pieces,
+                      DeflateFrame frame = DeflateFrame::Zlib)
+      : bits_(std::move(pieces)),
+        frame_(frame),
+        state_(frame == DeflateFrame::Zlib ? State::Header : State::BlockStart) {}
 
   /// Fills out with the next bytes. False: the stream is damaged or ends too early; then it stays so.
   [[nodiscard]] bool read(std::span<std::uint8_t> out);
 
-  /// Whether the stream ends here and its checksum is right.
+  /// Whether the stream ends here and its checksum, where it has one, is right.
   [[nodiscard]] bool finish();
 
  private:
@@ -96,7 +106,8 @@ class ZlibReader {
   void put(std::span<std::uint8_t>& out, std::uint8_t byte);
 
   BitReader bits_;
-  State state_ = State::Header;
+  DeflateFrame frame_;
+  State state_;
   bool is_last_block_ = false;
   int left_ = 0;  // bytes of the stored block, or of the match
   std::uint32_t distance_ = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "render/ink_line.h"
 #include "render/palette.h"
 
 namespace inkflate {
@@ -10,20 +11,7 @@ namespace {
 
 /// Finer than an antialiased picture can show.
 constexpr double kFlattenTolerancePx = 0.05;
-/// The width of a line drawn without any pressure, as a share of the full width.
-constexpr double kLightestPress = 0.4;
 constexpr std::uint8_t kFaintAlpha = 64;  // 25 %, as hidden ink
-
-StrokedPolyline ink_line(Stroke const& stroke) {
-  StrokedPolyline line;
-  line.colour = stroke.colour;
-  for (auto const& sample : stroke.samples) {
-    double const press = std::clamp(sample.pressure, 0.0, 1.0);
-    line.points.push_back(sample.position);
-    line.widths_px.push_back(stroke.width_px * (kLightestPress + (1 - kLightestPress) * press));
-  }
-  return line;
-}
 
 std::vector<double> dashed(double width_px) { return {3 * width_px, 3 * width_px}; }
 std::vector<double> dotted(double width_px) { return {0, 2 * width_px}; }
@@ -64,7 +52,7 @@ void add_run(DrawList& list, Run const& run, double width_px) {
 
 void add_layer(DrawList& list, Layer const& layer, Sketch const& sketch, double width_px) {
   FilledPath shape;
-  shape.colour = palette::kShape;
+  shape.colour = layer.fill.value_or(palette::kShape);
   for (auto const& outline : layer.outlines) {
     shape.contours.push_back(flatten(outline, kFlattenTolerancePx));
   }

@@ -32,19 +32,19 @@ void blend(Colour& below, Colour colour, double share) {
 
 class Rasteriser {
  public:
-  Rasteriser(int width, int height, Colour background)
-      : picture_(width, height, background), stroke_(width, height) {}
+  Rasteriser(Picture& picture, PixelBox const& box)
+      : picture_(picture), box_(box), stroke_(box.width, box.height) {}
 
   void operator()(FilledPath const& path) {
-    Rect box;
+    Rect area;
     for (auto const& contour : path.contours) {
-      for (auto const point : contour) box.include(point);
+      for (auto const point : contour) area.include(point);
     }
-    if (box.is_empty()) return;
-    int const left = clamped(box.min.x, picture_.width);
-    int const columns = clamped(box.max.x + 1, picture_.width) - left;
-    int const end = clamped(box.max.y + 1, picture_.height);
-    for (int row = clamped(box.min.y, picture_.height); row < end; row += kBandRows) {
+    if (area.is_empty()) return;
+    int const left = clamped(area.min.x, box_.left, box_.width);
+    int const columns = clamped(area.max.x + 1, box_.left, box_.width) - left;
+    int const end = clamped(area.max.y + 1, box_.top, box_.height);
+    for (int row = clamped(area.min.y, box_.top, box_.height); row < end; row += kBandRows) {
       fill_band(path, left, columns, row, std::min(kBandRows, end - row));
     }
   }
@@ -58,16 +58,15 @@ class Rasteriser {
 
   void operator()(Dots const& dots) {
     for (auto const centre : dots.centres) {
-      stroke_.add_segment(centre, dots.diameter_px, centre, dots.diameter_px);
+      add_segment(centre, dots.diameter_px, centre, dots.diameter_px);
     }
     flush(dots.colour);
   }
 
-  Picture picture() && { return std::move(picture_); }
-
  private:
-  static int clamped(double value, int count) {
-    return static_cast<int>(std::clamp(std::floor(value), 0.0, static_cast<double>(count)));
+  static int clamped(double value, int first, int count) {
+    return static_cast<int>(std::clamp(std::floor(value), static_cast<double>(first),
+                                       static_cast<double>(first) + count));
   }
 
   void fill_band(FilledPath const& path, int left, int columns, int top, int rows) {
@@ -87,18 +86,26 @@ class Rasteriser {
       return line.widths_px[std::min(i, line.widths_px.size() - 1)];
     };
     if (line.points.size() == 1) {
-      stroke_.add_segment(line.points[0], width(0), line.points[0], width(0));
+      add_segment(line.points[0], width(0), line.points[0], width(0));
     }
     for (std::size_t i = 1; i < line.points.size(); ++i) {
-      stroke_.add_segment(line.points[i - 1], width(i - 1), line.points[i], width(i));
+      add_segment(line.points[i - 1], width(i - 1), line.points[i], width(i));
     }
+  }
+
+  void add_segment(Vec2 a, double width_a_px, Vec2 b, double width_b_px) {
+    Vec2 const corner = {static_cast<double>(box_.left), static_cast<double>(box_.top)};
+    stroke_.add_segment(a - corner, width_a_px, b - corner, width_b_px);
   }
 
   void flush(Colour colour) {
-    stroke_.flush([&](int x, int y, double share) { blend(picture_.at(x, y), colour, share); });
+    stroke_.flush([&](int x, int y, double share) {
+      blend(picture_.at(box_.left + x, box_.top + y), colour, share);
+    });
   }
 
-  Picture picture_;
+  Picture& picture_;
+  PixelBox box_;
   StrokeCoverage stroke_;
 };
 
@@ -107,9 +114,17 @@ class Rasteriser {
 Picture rasterise(DrawList const& list, int width, int height, Colour background) {
   CHECK(width >= 0 && height >= 0 && width <= kLargestSidePx && height <= kLargestSidePx,
         "picture side out of range");
-  Rasteriser rasteriser(width, height, background);
+  Picture picture(width, height, background);
+  rasterise_into(list, {0, 0, width, height}, picture);
+  return picture;
+}
+
+void rasterise_into(DrawList const& list, PixelBox const& box, Picture& picture) {
+  CHECK(box.left >= 0 && box.top >= 0 && box.width >= 0 && box.height >= 0 &&
+            box.width <= picture.width - box.left && box.height <= picture.height - box.top,
+        "the box lies in the picture");
+  Rasteriser rasteriser(picture, box);
   for (auto const& item : list) std::visit(rasteriser, item);
-  return std::move(rasteriser).picture();
 }
 
 }  // namespace inkflate

@@ -14,4 +14,18 @@ namespace inkflate {
 /// cost    O(pixels touched): 300 strokes on 1000 x 1000 about 20 ms
 Picture rasterise(DrawList const& list, int width, int height, Colour background);
 
+/// A part of a picture.
+struct PixelBox {
+  int left = 0;
+  int top = 0;
+  int width = 0;
+  int height = 0;
+
+  friend bool operator==(PixelBox const&, PixelBox const&) = default;
+};
+
+/// Draws a list over a picture that is there already, cut off at a box inside the picture. The list's origin is
+/// the top left corner of the picture. Takes 4 bytes of memory for each pixel of the box.
+void rasterise_into(DrawList const& list, PixelBox const& box, Picture& picture);
+
 }  // namespace inkflate

@@ -7,6 +7,7 @@
 
 #include "simplify/close_strokes.h"
 #include "simplify/faint_strokes.h"
+#include "simplify/limb_mouths.h"
 #include "simplify/sort_strokes.h"
 
 namespace inkflate {
@@ -88,33 +89,63 @@ WorkSpace sorting_space(WorkSpace space, SimplifyMethod method) {
   return space;
 }
 
-/// The strokes that are closed together.
-struct Group {
-  std::string name;  // empty: of strokes without a group
-  std::vector<int> strokes;
-};
-
-std::vector<Group> groups_of(Sketch const& sketch, Parts parts) {
-  std::vector<Group> groups(parts == Parts::Groups ? sketch.groups.size() + 1 : 1);
-  for (std::size_t g = 0; g + 1 < groups.size(); ++g) groups[g].name = sketch.groups[g];
+/// The strokes that are closed together, in one list for each of the sketch's groups and a last one for those without a
+/// group; all in the last one unless the groups become layers.
+std::vector<std::vector<int>> strokes_to_close(Sketch const& sketch, Parts parts) {
+  std::vector<std::vector<int>> lists(parts == Parts::Groups ? sketch.groups.size() + 1 : 1);
   for (int i = 0; i < std::ssize(sketch.strokes); ++i) {
     int const group = sketch.strokes[i].group;
     bool const is_grouped = parts == Parts::Groups && group >= 0;
-    (is_grouped ? groups[group] : groups.back()).strokes.push_back(i);
+    (is_grouped ? lists[group] : lists.back()).push_back(i);
   }
-  return groups;
+  return lists;
 }
 
-/// The pieces of a group are told apart by numbers; those of no group are only numbers.
-std::string layer_name(std::string const& group, int piece) {
-  if (group.empty()) return "part " + std::to_string(piece);
-  return piece == 1 ? group : group + " " + std::to_string(piece);
+/// Strokes that shall become no layer of their own: construction lines, noise, and help lines without the ink that they close.
+bool is_left_out(Sketch const& sketch, std::vector<int> const& strokes, Parts parts) {
+  if (parts != Parts::Groups || strokes.empty()) return false;
+  int const group = sketch.strokes[strokes[0]].group;
+  if (group >= 0) return !is_candidate_layer(sketch.groups[group]);
+  return std::all_of(strokes.begin(), strokes.end(),
+                     [&](int s) { return sketch.strokes[s].kind == StrokeKind::HelpLine; });
+}
+
+/// The group that all of these strokes are in; -1: none.
+int common_group(Sketch const& sketch, std::vector<int> const& strokes) {
+  if (strokes.empty()) return -1;
+  int const group = sketch.strokes[strokes[0]].group;
+  bool const is_common = std::all_of(strokes.begin(), strokes.end(),
+                                     [&](int s) { return sketch.strokes[s].group == group; });
+  return is_common ? group : -1;
+}
+
+/// Layers, made of these strokes, take over name, colour and thickness of their group. Pieces of one group are told apart by numbers; those of
+/// no group are only numbers.
+void name_layers(Sketch const& sketch, std::vector<int> const& strokes,
+                 std::vector<Layer>& layers) {
+  std::vector<int> pieces(sketch.groups.size(), 0);
+  for (int part = 1; auto& layer : layers) {
+    int const group = common_group(sketch, layer.strokes.empty() ? strokes : layer.strokes);
+    layer.name = "part " + std::to_string(part++);
+    if (group < 0) continue;
+    auto const& [name, fill, thickness] = sketch.groups[group];
+    int const piece = ++pieces[group];
+    if (!name.empty()) layer.name = piece == 1 ? name : name + " " + std::to_string(piece);
+    layer.fill = fill;
+    layer.thickness = thickness;
+  }
 }
 
 /// The strokes of a group that are no construction lines.
 std::vector<int> without(std::vector<bool> const& is_faint, std::vector<int> strokes) {
   std::erase_if(strokes, [&](int s) { return is_faint[s]; });
   return strokes;
+}
+
+/// Gives the strokes of a group to its layers.
+void sort_group(Sketch const& sketch, WorkSpace const& space, GroupShapes& group) {
+  auto const samples = sample_strokes(sketch, group.strokes, space, kSortSpacingPx);
+  group.stray = sort_strokes(samples, space, group.layers);
 }
 
 }  // namespace
@@ -129,20 +160,29 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
   auto const sorting = sorting_space(space, options.method);
   auto const is_faint = faint_strokes(sketch);
   Drawing drawing = {sketch, {}, {}};
-  for (auto const& group : groups_of(sketch, options.parts)) {
-    auto layers =
-        options.method == SimplifyMethod::Grid
-            ? close_by_grid(sketch, group.strokes, options, progress)
-            : close_by_cut(sketch, without(is_faint, group.strokes), space, options, progress);
+  std::vector<GroupShapes> groups;
+  for (auto& strokes : strokes_to_close(sketch, options.parts)) {
+    if (is_left_out(sketch, strokes, options.parts)) {
+      groups.push_back({{}, {}, std::move(strokes)});
+      continue;
+    }
+    auto layers = options.method == SimplifyMethod::Grid
+                      ? close_by_grid(sketch, strokes, options, progress)
+                      : close_by_cut(sketch, without(is_faint, strokes), space, options, progress);
     if (!layers) return layers.error();
     if (!progress.enter("sort")) return Error{ErrorCode::Cancelled, "stopped on request"};
-    auto const samples = sample_strokes(sketch, group.strokes, sorting, kSortSpacingPx);
-    auto const stray = sort_strokes(samples, sorting, *layers);
-    drawing.stray.insert(drawing.stray.end(), stray.begin(), stray.end());
-    for (int piece = 1; auto& layer : *layers) {
-      layer.name = layer_name(group.name, piece++);
-      drawing.layers.push_back(std::move(layer));
-    }
+    groups.push_back({std::move(strokes), *std::move(layers), {}});
+    sort_group(sketch, sorting, groups.back());
+  }
+  if (options.method == SimplifyMethod::Cut) {
+    auto const changed = close_limb_mouths(sketch, is_faint, space, options, progress, groups);
+    if (!changed) return changed.error();
+    for (int const g : *changed) sort_group(sketch, sorting, groups[g]);
+  }
+  for (auto& group : groups) {
+    drawing.stray.insert(drawing.stray.end(), group.stray.begin(), group.stray.end());
+    name_layers(sketch, group.strokes, group.layers);
+    for (auto& layer : group.layers) drawing.layers.push_back(std::move(layer));
   }
   if (drawing.layers.empty()) {
     return Error{

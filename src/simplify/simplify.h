@@ -23,7 +23,8 @@ enum class Holes {
 enum class Parts {
   One,     // the largest silhouette
   All,     // every separate piece
-  Groups,  // each group of strokes by itself: a layer for each, or for each separate piece of it
+  Groups,  // each group of strokes by itself: a layer for each, or for each separate piece of it; see
+  // is_candidate_layer. Limbs that are open towards the layer of another group are closed there (limb_mouths.h)
 };
 
 struct SimplifyOptions {
@@ -40,7 +41,8 @@ struct SimplifyOptions {
 ///
 /// in      sketch: any number of strokes; samples finite, within 1e6 px; their box at least 1e-8 of its
 ///         distance from (0, 0), or a single point
-/// out     the sketch with its layers; every outline is closed and simple
+/// out     the sketch with its layers; every outline is closed and simple. A layer whose outline strokes are all of one group has
+///         that group's name, colour and thickness
 /// errors  BadOption; BadInput (a sample not finite or out of range, a box too small); NothingThere (no stroke encloses or nearly
 ///         encloses an area); Cancelled
 /// cost    O(n log n) in the number of samples; about 10 ms for 250 strokes

@@ -228,7 +228,7 @@ TEST(ReadSvg, KnowsHelpLines) {
     auto const sketch = sketch_of(body);
     ASSERT_EQ(sketch.strokes.size(), 1U) << body;
     EXPECT_EQ(sketch.strokes[0].kind, StrokeKind::HelpLine) << body;
-    EXPECT_TRUE(sketch.groups.empty() || sketch.groups[0] == "g12") << body;
+    EXPECT_TRUE(sketch.groups.empty() || sketch.groups[0].name == "g12") << body;
   }
   for (char const* body :
        {"<line x2='9' class='whelp'/>", "<line x2='9' stroke-dasharray='none'/>",
@@ -240,7 +240,7 @@ TEST(ReadSvg, KnowsHelpLines) {
 std::string groups_of(std::string const& body) {
   auto const sketch = sketch_of(body);
   std::string text;
-  for (auto const& name : sketch.groups) text += name + ";";
+  for (auto const& group : sketch.groups) text += group.name + ";";
   for (auto const& stroke : sketch.strokes) text += " " + std::to_string(stroke.group);
   return text;
 }
@@ -254,6 +254,33 @@ TEST(ReadSvg, TopLevelGroupsAreCandidateLayers) {
   EXPECT_EQ(groups_of("<g inkscape:groupmode='layer'>" + kLine + "</g>"), "group 1; 0");
   EXPECT_EQ(groups_of("<g>" + kLine + "</g><g id='help'>" + kLine + "</g>"), "group 1; 0 -1");
   EXPECT_EQ(groups_of("<g id='a'>" + kLine + "</g><g id='helplines'>" + kLine + "</g>"), "a; 0 -1");
+}
+
+TEST(ReadSvg, GroupsSayHowTheirLayerShallLook) {
+  auto const reading = read(
+      "<svg stroke='red'><g id='leg' data-fill=' #a0B1c2 ' data-thickness='4.5'><line x2='9'/></g>"
+      "<g id='arm' data-fill='spotted' data-thickness='99'><line x2='9'/></g></svg>");
+  auto const& groups = reading.drawing.sketch.groups;
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0], (StrokeGroup{"leg", Colour{0xa0, 0xb1, 0xc2}, 4.5}));
+  EXPECT_EQ(groups[1], StrokeGroup{"arm"});
+  EXPECT_EQ(reasons(reading),
+            "a data-fill that is no colour x1;a data-thickness that is not within 0.1 .. 32 x1;");
+}
+
+TEST(ReadSvg, AGroupMayBeACopyOfAnother) {
+  auto const sketch =
+      sketch_of("<g id='far-leg' data-fill='#123456'><use href='#leg' x='5'/></g><g id='leg'>" +
+                kLine + "</g>");
+  ASSERT_EQ(sketch.groups.size(), 2U);
+  EXPECT_EQ(sketch.groups[0].name, "far-leg");
+  EXPECT_TRUE(sketch.groups[0].fill.has_value());
+  EXPECT_EQ(sketch.groups[1], StrokeGroup{"leg"});
+  ASSERT_EQ(sketch.strokes.size(), 2U);
+  EXPECT_EQ(sketch.strokes[0].group, 0);
+  EXPECT_EQ(sketch.strokes[1].group, 1);
+  EXPECT_EQ(sketch.strokes[0].samples[0].position,
+            sketch.strokes[1].samples[0].position + Vec2(5, 0));
 }
 
 TEST(ReadSvg, PrefixedDocumentsAreTheSame) {
@@ -284,7 +311,7 @@ TEST(ReadSvg, AGroupAroundAllGroupsIsNoLayer) {
       "<g id='ear'><path d='M0,0 L9,9'/></g><g id='tail'><path d='M5,0 L9,9'/></g></g></svg>";
   auto const drawing = read_svg(std::as_bytes(std::span(text)));
   ASSERT_TRUE(drawing.has_value());
-  EXPECT_EQ(drawing->sketch.groups, (std::vector<std::string>{"ear", "tail"}));
+  EXPECT_EQ(drawing->sketch.groups, (std::vector<StrokeGroup>{{"ear"}, {"tail"}}));
   EXPECT_EQ(drawing->sketch.strokes[1].group, 1);
 }
 

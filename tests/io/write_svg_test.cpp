@@ -3,106 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include "base/rng.h"
 #include "io/bytes.h"
 #include "io/read_svg.h"
+#include "support/random_drawing.h"
 
 namespace inkflate {
 namespace {
 
-Vec2 random_point(Rng& rng) {
-  // Whole, short and full-length numbers, also near the limit.
-  int const form = rng.below(4);
-  Vec2 const point = {rng.uniform(-1000, 2000), rng.uniform(-1000, 2000)};
-  if (form == 0) return {std::round(point.x), std::round(point.y)};
-  if (form == 1) return point * 500;
-  return form == 2 ? point / 1e9 : point;
-}
-
-std::string random_name(Rng& rng) {
-  char const* const parts[] = {"arm",
-                               " ",
-                               "<",
-                               ">",
-                               "&",
-                               "\"",
-                               "'",
-                               "&amp;",
-                               "\xc4\x8d",
-                               "]]>",
-                               "\n",
-                               "\t",
-                               "\xf0\x9f\x90\x99",
-                               "-->"};
-  std::string name;
-  for (int i = rng.below(6); i > 0; --i) name += parts[rng.below(14)];
-  return name;
-}
-
-Stroke random_stroke(Rng& rng, int group_count) {
-  Stroke stroke;
-  bool const has_pressure = rng.below(2) == 0;
-  for (int i = rng.below(6); i > 0; --i) {
-    stroke.samples.push_back({random_point(rng), has_pressure ? rng.uniform() : 1});
-  }
-  stroke.kind = rng.below(3) == 0 ? StrokeKind::HelpLine : StrokeKind::Ink;
-  stroke.width_px = rng.uniform(0, 9);
-  auto const byte = [&] { return static_cast<std::uint8_t>(rng.below(256)); };
-  stroke.colour = {byte(), byte(), byte(), byte()};
-  stroke.group = rng.below(group_count + 1) - 1;
-  return stroke;
-}
-
-Outline random_outline(Rng& rng, int stroke_count) {
-  Outline outline;
-  int const count = 1 + rng.below(6);
-  Vec2 const start = random_point(rng);
-  Vec2 position = start;
-  for (int i = 0; i < count; ++i) {
-    Vec2 const end = i + 1 < count ? random_point(rng) : start;
-    outline.pieces.push_back({{{position, random_point(rng), random_point(rng), end}},
-                              static_cast<RunKind>(rng.below(3))});
-    position = end;
-  }
-  for (int i = rng.below(4); i > 0 && stroke_count > 0; --i) {
-    outline.sources.push_back({rng.uniform(0, 3), rng.uniform(3, 6),
-                               rng.below(stroke_count + 1) - 1, rng.uniform(0, 99),
-                               rng.uniform(0, 99)});
-  }
-  return outline;
-}
-
-Drawing random_drawing(Rng& rng) {
-  Drawing drawing;
-  auto& sketch = drawing.sketch;
-  sketch.width_px = rng.uniform(0, 2000);
-  sketch.height_px = rng.below(2000);
-  for (int i = rng.below(3); i > 0; --i) sketch.groups.push_back(random_name(rng));
-  int const stroke_count = rng.below(12);
-  int const group_count = static_cast<int>(sketch.groups.size());
-  drawing.layers.resize(static_cast<std::size_t>(rng.below(4)));
-  for (auto& layer : drawing.layers) {
-    layer.name = random_name(rng);
-    for (int i = rng.below(4); i > 0; --i)
-      layer.outlines.push_back(random_outline(rng, stroke_count));
-  }
-  for (int i = 0; i < stroke_count; ++i) {
-    sketch.strokes.push_back(random_stroke(rng, group_count));
-    int const place = rng.below(1 + 2 * static_cast<int>(drawing.layers.size()));
-    if (place == 0) {
-      drawing.stray.push_back(i);
-    } else {
-      auto& layer = drawing.layers[static_cast<std::size_t>((place - 1) / 2)];
-      (place % 2 == 0 ? layer.details : layer.strokes).push_back(i);
-    }
-  }
-  return drawing;
-}
-
 TEST(WriteSvg, ReadingGivesBackEveryDrawingExactly) {
   for (int seed = 0; seed < 400; ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed));
-    auto const drawing = random_drawing(rng);
+    auto const drawing = test::random_drawing(rng);
     auto const text = write_svg(drawing);
     auto const again = read_svg(as_bytes(text));
     ASSERT_TRUE(again.has_value()) << again.error().message << '\n' << text;
@@ -142,6 +53,12 @@ TEST(WriteSvg, DrawsOnePathPerRun) {
   EXPECT_NE(text.find("class=\"detail\" d=\"M10 10L90 10.123\""), std::string::npos);
 }
 
+TEST(WriteSvg, ALayerIsPaintedInItsColour) {
+  auto drawing = square();
+  drawing.layers[0].fill = Colour{1, 2, 255, 51};
+  EXPECT_EQ(count(write_svg(drawing), " fill=\"#0102ff\" fill-opacity=\"0.2\""), 1);
+}
+
 TEST(WriteSvg, RoughStrokesAreHiddenBehindLayers) {
   auto drawing = square();
   EXPECT_EQ(count(write_svg(drawing), "display:none"), 1);
@@ -157,10 +74,10 @@ TEST(WriteSvg, AnEmptyDrawingSurvives) {
 
 TEST(WriteSvg, NamesThatXmlCannotHoldAreReplaced) {
   Drawing drawing;
-  drawing.sketch.groups = {std::string("a\x01\xff", 3)};
+  drawing.sketch.groups = {{std::string("a\x01\xff", 3)}};
   auto const again = read_svg(as_bytes(write_svg(drawing)));
   ASSERT_TRUE(again.has_value());
-  EXPECT_EQ(again->sketch.groups[0], "a\xef\xbf\xbd\xef\xbf\xbd");
+  EXPECT_EQ(again->sketch.groups[0].name, "a\xef\xbf\xbd\xef\xbf\xbd");
 }
 
 TEST(WriteSvg, DamagedDrawingDataIsNamed) {
@@ -177,6 +94,7 @@ TEST(WriteSvg, DamagedDrawingDataIsNamed) {
         Case{"stroke-width=\"3\"", "stroke-width=\"-3\""},
         Case{"sources=\";", "sources=\"0 1 5 0 1,;"},
         Case{"sources=\";", "sources=\"0 1 0.5 0 1,;"}, Case{"sources=\";", "sources=\""},
+        Case{"thickness=\"2\"", "thickness=\"0\""}, Case{"thickness=\"2\"", "fill=\"none\""},
         Case{"width=\"300\"", "width=\"wide\""}, Case{"stray=\"\"", "stray=\"-1\""},
         Case{"Z\"", "\""}}) {
     auto damaged = text;

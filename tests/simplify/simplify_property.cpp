@@ -46,7 +46,7 @@ Case arbitrary_case(std::uint64_t seed) {
   Case made = {random_sketch(seed), {}};
   Rng rng(~seed);
   made.options = arbitrary_options(rng);
-  for (int i = rng.below(4); i > 0; --i) made.sketch.groups.push_back("group");
+  for (int i = rng.below(4); i > 0; --i) made.sketch.groups.push_back({"group"});
   int const group_count = static_cast<int>(made.sketch.groups.size());
   for (auto& stroke : made.sketch.strokes) stroke.group = rng.below(group_count + 1) - 1;
   return made;

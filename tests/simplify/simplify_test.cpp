@@ -228,7 +228,7 @@ TEST(Simplify, APartForEachSeparatePieceLargestFirst) {
 TEST(Simplify, GroupsBecomeLayersOfTheirOwn) {
   Sketch sketch = sketch_of({circle_stroke({400, 500}, 250), circle_stroke({650, 500}, 200),
                              circle_stroke({500, 500}, 30)});
-  sketch.groups = {"body", "head"};
+  sketch.groups = {{"body"}, {"head"}};
   sketch.strokes[0].group = 0;
   sketch.strokes[1].group = 1;
   sketch.strokes[2].group = 0;
@@ -243,13 +243,43 @@ TEST(Simplify, GroupsBecomeLayersOfTheirOwn) {
 
 TEST(Simplify, NoPieceOfAGroupIsLost) {
   Sketch sketch = sketch_of({circle_stroke({300, 500}, 100), circle_stroke({700, 500}, 90)});
-  sketch.groups = {"legs"};
+  sketch.groups = {{"legs"}};
   for (auto& stroke : sketch.strokes) stroke.group = 0;
   auto const drawing = simplify(sketch, {.parts = Parts::Groups});
   ASSERT_TRUE(drawing.has_value());
   ASSERT_EQ(drawing->layers.size(), 2U);
   EXPECT_EQ(drawing->layers[0].name, "legs");
   EXPECT_EQ(drawing->layers[1].name, "legs 2");
+}
+
+TEST(Simplify, LayersLookAsTheirGroupSays) {
+  Sketch sketch = sketch_of({circle_stroke({300, 500}, 100), circle_stroke({700, 500}, 90)});
+  sketch.groups = {{"leg", Colour{1, 2, 3}, 5}};
+  sketch.strokes[0].group = 0;
+  for (auto const parts : {Parts::Groups, Parts::All}) {
+    auto const drawing = simplify(sketch, {.parts = parts});
+    ASSERT_TRUE(drawing.has_value());
+    ASSERT_EQ(drawing->layers.size(), 2U);
+    EXPECT_EQ(drawing->layers[0].name, "leg");
+    EXPECT_EQ(drawing->layers[0].fill, (Colour{1, 2, 3}));
+    EXPECT_EQ(drawing->layers[0].thickness, 5);
+    EXPECT_FALSE(drawing->layers[1].fill.has_value());
+    EXPECT_EQ(drawing->layers[1].thickness, 2);
+  }
+}
+
+TEST(Simplify, AGroupOfNoiseBecomesNoLayer) {
+  for (char const* name : {"Noise", "construction", "help lines"}) {
+    Sketch sketch = sketch_of({circle_stroke({300, 500}, 100), circle_stroke({700, 500}, 90)});
+    sketch.groups = {{name}, {"body"}};
+    sketch.strokes[0].group = 0;
+    sketch.strokes[1].group = 1;
+    auto const drawing = simplify(sketch, {.parts = Parts::Groups});
+    ASSERT_TRUE(drawing.has_value());
+    ASSERT_EQ(drawing->layers.size(), 1U) << name;
+    EXPECT_EQ(drawing->layers[0].name, "body");
+    EXPECT_EQ(drawing->stray, std::vector<int>{0});
+  }
 }
 
 TEST(Simplify, ScaleAndPlaceChangeNothing) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "cli/read_sketch.h"
+#include "cli/read_document.h"
 
 namespace {
 
@@ -49,9 +49,9 @@ Result<Drawing> simplify_file(char const* path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return Error{ErrorCode::FileSystem, "cannot read"};
   std::vector<char> const content{std::istreambuf_iterator<char>(stream), {}};
-  auto const sketch = cli::read_sketch(std::as_bytes(std::span(content)));
-  if (!sketch) return sketch.error();
-  return run_simplify(sketch->source);
+  auto const document = cli::read_document(std::as_bytes(std::span(content)));
+  if (!document) return document.error();
+  return run_simplify(cli::sketch_source(*document));
 }
 
 }  // namespace

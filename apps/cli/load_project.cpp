@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/load_project.h"
+
+#include <utility>
+
+#include "cli/console.h"
+#include "cli/files.h"
+#include "cli/read_document.h"
+
+namespace inkflate::cli {
+
+Result<Project> load_project(SharedOptions const& options, std::string const& input,
+                             RunSimplifyOptions const& simplify, Progress const& progress) {
+  progress.report("read");
+  auto const content = read_file(input);
+  if (!content) return content.error();
+  auto document = read_document(*content);
+  if (!document) return document.error();
+  if (!options.is_quiet) {
+    for (auto const& warning : document->warnings) print_warning(input, warning);
+  }
+  if (has_layers(*document)) return std::move(document->project);
+  auto drawing = run_simplify(sketch_source(*document), simplify, progress);
+  if (!drawing) return drawing.error();
+  document->project.drawing = std::move(*drawing);
+  return std::move(document->project);
+}
+
+}  // namespace inkflate::cli

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assemble/assemble.h"
+
+#include <utility>
+
+#include "assemble/layer_rim.h"
+#include "assemble/mesh_layers.h"
+#include "assemble/plan_joints.h"
+#include "assemble/stitch.h"
+#include "geometry/rect.h"
+
+namespace inkflate {
+namespace {
+
+constexpr double kUnitsAcross = 1000;
+constexpr double kRimStep = 1.5;  // in units; finer than any edge of the meshes
+
+std::optional<Error> find_fault(Drawing const& drawing, AssembleOptions const& options) {
+  if (!(options.density >= 0.1 && options.density <= 10)) {
+    return Error{ErrorCode::BadOption, "the density has to be from 0.1 to 10"};
+  }
+  if (drawing.layers.empty()) {
+    return Error{ErrorCode::NothingThere, "the drawing has no closed shape to inflate"};
+  }
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    auto const& layer = drawing.layers[i];
+    auto const index = static_cast<long long>(i);
+    if (layer.outlines.empty() || layer.outlines.front().pieces.empty()) {
+      return Error{ErrorCode::BadInput, "layer \"" + layer.name + "\" has no outline", index};
+    }
+    if (!(layer.thickness >= 0.1 && layer.thickness <= 32)) {
+      return Error{ErrorCode::BadInput,
+                   "the thickness of layer \"" + layer.name + "\" is not from 0.1 to 32", index};
+    }
+  }
+  return std::nullopt;
+}
+
+/// A thousandth of the drawing's size, so that small and large canvases give the same meshes.
+double unit_of(Drawing const& drawing) {
+  Rect box;
+  for (auto const& layer : drawing.layers) {
+    for (auto const& piece : layer.outlines.front().pieces) box.include(piece.curve.start());
+  }
+  return box.longer_side() / kUnitsAcross;
+}
+
+/// The open runs as they are, joined to nothing.
+void keep_unjoined(std::vector<LayerRim> const& planned, std::vector<LayerRim>& rims) {
+  for (std::size_t i = 0; i < rims.size(); ++i) {
+    for (std::size_t r = 0; r < rims[i].runs.size(); ++r) {
+      rims[i].runs[r].opening = planned[i].runs[r].opening;
+    }
+  }
+}
+
+}  // namespace
+
+Result<FlatModel> assemble(Drawing const& drawing, AssembleOptions const& options,
+                           Progress const& progress) {
+  Error const cancelled = {ErrorCode::Cancelled, "stopped"};
+  if (auto const fault = find_fault(drawing, options)) return *fault;
+  if (!progress.enter("join")) return cancelled;
+  double const unit_px = unit_of(drawing);
+  if (!(unit_px > 0))
+    return Error{ErrorCode::NothingThere, "the drawing's outlines are a single point"};
+  std::vector<LayerRim> rims;
+  for (auto const& layer : drawing.layers) rims.push_back(layer_rim(layer, kRimStep * unit_px));
+  auto joined = rims;
+  auto plan = plan_joints(joined, unit_px);
+  if (options.open == OpenRuns::Capped) {
+    keep_unjoined(joined, rims);
+    plan.clear();
+  } else {
+    rims = std::move(joined);
+  }
+  if (!progress.enter("mesh")) return cancelled;
+  auto meshed = mesh_layers(rims, plan, unit_px, options.density);
+  if (!meshed) return meshed.error();
+  if (!progress.enter("stitch")) return cancelled;
+  auto model = stitch(std::move(*meshed), options.open);
+  model.width_px = drawing.sketch.width_px;
+  model.height_px = drawing.sketch.height_px;
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    model.layers[i].name = drawing.layers[i].name;
+    model.layers[i].thickness = drawing.layers[i].thickness;
+  }
+  return model;
+}
+
+}  // namespace inkflate

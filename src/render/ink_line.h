@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/stroke.h"
+#include "render/draw_list.h"
+
+namespace inkflate {
+
+/// A stroke as the pen drew it: its colour, and its width, thinner where the pen pressed less.
+StrokedPolyline ink_line(Stroke const& stroke);
+
+}  // namespace inkflate
