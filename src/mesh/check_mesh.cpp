@@ -207,7 +207,7 @@ MeshCheck check_mesh(TriMesh const& mesh) {
   count_flipped(mesh, sides, triangles, check);
   check.is_inside_out = check.is_closed() && check.misoriented_edges == 0 && check.volume < 0;
   if (check.is_closed() && check.is_manifold())
-    check.genus = static_cast<int>((2 * check.shells - check.euler) / 2);
+    check.genus = static_cast<int>(check.shells - check.euler / 2);
   return check;
 }
 

@@ -82,6 +82,7 @@ bool DynamicTriangulation::is_in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   double const qq = squared_norm(q);
   double const rr = squared_norm(r);
   double const determinant = pp * cross(q, r) + qq * cross(r, p) + rr * cross(p, q);
+  if (determinant <= 0) return false;
   double const permanent = pp * (std::abs(q.x * r.y) + std::abs(q.y * r.x)) +
                            qq * (std::abs(r.x * p.y) + std::abs(r.y * p.x)) +
                            rr * (std::abs(p.x * q.y) + std::abs(p.y * q.x));

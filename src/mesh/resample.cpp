@@ -72,15 +72,16 @@ std::vector<int> piece_ends(Measured const& measured) {
 }
 
 /// How many edges each piece gets.
-std::vector<double> edge_counts(Measured const& measured, std::vector<int> const& ends) {
-  std::vector<double> counts;
-  double sum = 0;
+std::vector<int> edge_counts(Measured const& measured, std::vector<int> const& ends) {
+  std::vector<int> counts;
+  int sum = 0;
   for (std::size_t k = 1; k < ends.size(); ++k) {
     double const amount = measured.amounts[ends[k]] - measured.amounts[ends[k - 1]];
-    counts.push_back(std::max(1.0, std::min(kMostEdges, std::floor(amount + 0.5))));
+    counts.push_back(
+        static_cast<int>(std::max(1.0, std::min(kMostEdges, std::floor(amount + 0.5)))));
     sum += counts.back();
   }
-  double const least = measured.line.front() == measured.line.back() ? 3 : 1;
+  int const least = measured.line.front() == measured.line.back() ? 3 : 1;
   if (sum < least) counts[0] += least - sum;
   return counts;
 }
@@ -93,11 +94,11 @@ double share_reached(double amount, double length_px, double start, double end) 
 }
 
 /// The points inside of a piece, then its end.
-void append_piece(Measured const& measured, int from, int to, double count, Polyline& result) {
+void append_piece(Measured const& measured, int from, int to, int count, Polyline& result) {
   auto const& amounts = measured.amounts;
   double const total = amounts[to] - amounts[from];
   int i = from + 1;
-  for (double k = 1; k < count; ++k) {
+  for (int k = 1; k < count; ++k) {
     double const wanted = amounts[from] + total * k / count;
     while (i < to && amounts[i] < wanted) ++i;
     double const length_px = measured.along_px[i] - measured.along_px[i - 1];

@@ -11,7 +11,7 @@ namespace inkflate {
 /// How fine the rim of a region is sampled.
 struct RimSpacingOptions {
   double longest_px = 8;        // > 0; where the region is wide
-  double shortest_px = 1;       // > 0; no edge is meant to be shorter, however thin the region is
+  double shortest_px = 1.5;     // > 0; no edge is meant to be shorter, however thin the region is
   double share_of_width = 0.1;  // > 0; of the region's width at that place
   double growth =
       0.3;  // > 0; px by which the spacing may grow per px along the rim or across the region
