@@ -143,7 +143,7 @@ class DirectoryReader {
     if (unpacked_bytes_ > ZipLimits::kUnpackedBytes) {
       return Error{ErrorCode::TooLarge, "the zip archive holds more than 512 MB"};
     }
-    if (auto const error = find_data(raw_name, offset, packed_size, entry)) return error;
+    if (auto error = find_data(raw_name, offset, packed_size, entry)) return error;
     entries_.push_back(std::move(entry));
     rest_ = rest_.subspan(whole);
     return std::nullopt;
