@@ -45,6 +45,7 @@ class SampleGrid {
   };
 
   Corners corners(int triangle) const;
+  std::array<double, 3> depths(int triangle) const;
 
   int width_ = 0;
   int height_ = 0;
@@ -70,6 +71,8 @@ class SampleBand {
   Grid2<float> const& depths() const { return depths_; }
 
  private:
+  void see(int x, int row, int triangle, float depth);
+
   int top_ = 0;
   Grid2<int> triangles_;
   Grid2<float> depths_;
