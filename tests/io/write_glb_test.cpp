@@ -80,12 +80,29 @@ TEST(WriteGlb, ThePictureInsideIsTheTexture) {
   EXPECT_EQ(*picture, texture.picture);
 }
 
-TEST(WriteGlb, ManyVerticesTakeIndicesOf32Bits) {
-  // 2 + 4 r (2 r - 1) vertices: 65 164 and 66 614 of them.
-  auto const short_file = write_glb(ball_model({}, 100, 90));
-  auto const long_file = write_glb(ball_model({}, 100, 92));
+/// Triangles that share no vertex.
+RestModel loose_triangles(int count) {
+  RestModel model;
+  for (int i = 0; i < count; ++i) {
+    double const x = i;
+    for (Vec3 const p : {Vec3{x, 0, 0}, Vec3{x, 1, 0}, Vec3{x, 0, 1}})
+      model.mesh.points.push_back(p);
+    model.mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  model.normals.assign(model.mesh.points.size(), {1, 0, 0});
+  model.faces.resize(model.mesh.triangles.size());
+  return model;
+}
+
+TEST(WriteGlb, MoreThan65535VerticesTakeIndicesOf32Bits) {
+  auto const short_file = write_glb(loose_triangles(65'535 / 3));
+  auto const long_file = write_glb(loose_triangles(65'538 / 3));
+  auto const short_indices = glb_parts(short_file).view(2);
+  auto const long_indices = glb_parts(long_file).view(2);
   EXPECT_EQ(glb_parts(short_file).accessor("indices").at("componentType"), 5123);
+  EXPECT_EQ(little_endian16(short_indices.last(2)), 65'534U);
   EXPECT_EQ(glb_parts(long_file).accessor("indices").at("componentType"), 5125);
+  EXPECT_EQ(little_endian32(long_indices.last(4)), 65'537U);
 }
 
 TEST(WriteGlb, ExtrasTellTheTrianglesOfEachLayer) {
