@@ -27,8 +27,8 @@ def mug(sheet):
     sheet.dab("406,466 640,466", radius=24, turns=5)
     sheet.line("320,560 400,588 516,596 630,588 710,560", width=9, colour=WHITE)
     sheet.group("cocoa", BROWN, 0.5)
-    sheet.outline(ring(516, 246, 196, 40), closed=True, passes=2)
-    sheet.line("380,250 420,262 470,266", "600,262 650,254", colour=COCOA)
+    sheet.outline(ring(516, 244, 166, 36), closed=True, passes=2)
+    sheet.line("400,250 430,260 470,264", "590,260 630,252", colour=COCOA)
     sheet.group("marshmallow", WHITE)
     sheet.outline("420,210 418,240 424,262 460,270 496,262 502,238 500,210 462,202", closed=True,
                   passes=2)

@@ -18,8 +18,8 @@ Stroke const& stroke_at(Drawing const& drawing, int index) {
 }
 
 /// No line is wider on the surface than this times its width, unless it would be thinner in the drawing than a share.
-constexpr double kWidestOnSurface = 4;
-constexpr double kThinnestShare = 0.35;
+constexpr double kWidestOnSurface = 2.8;
+constexpr double kThinnestShare = 0.28;
 
 /// Colour and width of the layer's outline strokes on average.
 StrokedPolyline mean_pen(Drawing const& drawing, Layer const& layer) {
