@@ -2,7 +2,7 @@
 """Butterfly."""
 
 from sketching.curve import ring
-from sketching.sheet import GREY, WARM
+from sketching.sheet import BROWN, BUTTER, GREY, HONEY, WARM
 
 
 def tilted(flip):
@@ -20,7 +20,7 @@ def butterfly(sheet):
     """A butterfly whose wings are open towards the body; help lines close them."""
     for name, flip in (("left", -1), ("right", 1)):
         sheet.place = tilted(flip)
-        sheet.group(f"{name}-forewing")
+        sheet.group(f"{name}-forewing", HONEY)
         sheet.outline("23,-88 66,-144 122,-222 204,-286 288,-316 340,-296 344,-244 318,-176 276,-110 "
                       "236,-56 190,-26! 130,-20 76,-22 30,-32", passes=3, gaps="250,-304,30")
         sheet.help("23,-88 26,-62 30,-32")
@@ -32,7 +32,7 @@ def butterfly(sheet):
         sheet.line("236,-280 288,-292 318,-280 320,-240 296,-172 256,-108 216,-62", width=1.5)
         sheet.hatch("250,-306 330,-300 342,-244 316,-176 240,-60",
                     "240,-282 312,-284 320,-240 294,-174 222,-66", 26, slant=0.015)
-        sheet.group(f"{name}-hindwing")
+        sheet.group(f"{name}-hindwing", BUTTER)
         sheet.outline("30,-18 84,-9 140,-8 196,-16 246,10 266,60 262,104! 240,124 226,152! 212,156 206,176 "
                       "214,212 238,244 214,252 182,228 164,184! 142,190 128,186! 96,186 64,150 46,106 28,58",
                       passes=3, gaps="90,186,26")
@@ -45,7 +45,7 @@ def butterfly(sheet):
         sheet.line("214,12 240,52 236,96 206,136 160,164 112,164", width=1.5)
         sheet.hatch("230,0 264,60 258,108 210,160", "212,12 240,56 234,98 196,142", 13, slant=0.02)
     sheet.place = tilted(1)
-    sheet.group("body")
+    sheet.group("body", BROWN)
     sheet.outline("0,-112 13,-100 16,-70 12,-38 15,-6 15,40 10,96 0,138! -10,96 -15,40 -15,-6 -12,-38 "
                   "-16,-70 -13,-100 0,-112", passes=2, reach=0.8)
     sheet.outline(ring(0, -130, 18, 17), closed=True, passes=2, reach=0.8)

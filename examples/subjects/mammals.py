@@ -2,7 +2,7 @@
 """Mouse."""
 
 from sketching.curve import limb
-from sketching.sheet import GREY, WARM
+from sketching.sheet import GREY, LILAC, ROSE, WARM
 
 
 def mouse(sheet):
@@ -10,16 +10,16 @@ def mouse(sheet):
     sheet.place = lambda x, y: (x - 36, y - 20)
     sheet.group("construction")
     sheet.guide("120,640 400,648 860,640", "150,420 220,380")
-    sheet.group("tail")
+    sheet.group("tail", ROSE)
     sheet.outline(limb("750,586 824,632 900,636 964,600 986,540 962,494 930,502",
                        [40, 30, 26, 22, 18, 14, 8]), passes=2, gaps="900,650,22")
     sheet.line("812,610 804,634", "844,622 838,646", "876,624 876,648", "908,620 914,644",
                "938,600 950,620", "960,572 978,584", "970,546 988,548", width=1.5, colour=GREY)
-    sheet.group("far-ear")
+    sheet.group("far-ear", LILAC)
     sheet.outline("306,366 262,332 236,276 246,218 290,196 330,214 346,246", passes=2)
     sheet.help("306,366 338,330 346,246")
     sheet.line("300,334 272,300 262,260 278,232")
-    sheet.group("body")
+    sheet.group("body", LILAC)
     sheet.outline("166,482 186,452 236,408 296,368 360,344 440,326 530,288 630,284 722,332 780,418 "
                   "796,512 774,586 706,622 580,630 440,626 340,612 268,584 214,546 176,512",
                   closed=True, gaps="590,284,36 500,629,44 790,470,24")
@@ -37,14 +37,14 @@ def mouse(sheet):
     sheet.line("470,356 494,342", "520,326 546,314", "500,372 526,360", "560,322 588,312",
                "620,312 648,310", "590,346 616,340", "690,350 712,364", "730,400 744,422",
                width=1.5, colour=GREY)
-    sheet.group("near-ear")
+    sheet.group("near-ear", LILAC)
     sheet.outline("392,376 340,344 306,284 318,214 372,172 440,180 482,232 480,300 440,356",
                   gaps="470,206,22")
     sheet.help("392,376 418,372 440,356")
     sheet.line("390,346 350,310 340,258 364,214 412,206 446,240 446,296 424,338")
     sheet.hatch("348,236 356,290 392,340", "412,214 428,270 424,330", 16, slant=0.1, colour=WARM)
     sheet.hatch("264,262 272,300 300,334", "292,240 296,284 314,320", 9, slant=0.1, colour=WARM)
-    sheet.group("paws")
+    sheet.group("paws", ROSE)
     sheet.outline("566,612 530,622 504,644! 540,654 620,654 676,640 690,618", passes=2, reach=0.8)
     sheet.outline("372,606 330,622 300,646! 340,654 390,648 424,616", passes=2, reach=0.8)
     sheet.line("516,640 530,632", "530,648 546,638", "312,642 326,634", "326,650 340,640")

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """Alligator."""
 
-from sketching.sheet import GREY, WARM
+from sketching.sheet import GREY, LEAF, WARM
 
 
 def alligator(sheet):
     """An alligator, mouth wide open, strolling to the left."""
     sheet.group("construction")
     sheet.guide("240,674 560,680 900,670", "380,300 560,262 760,300")
-    sheet.group("far-legs")
+    sheet.group("far-legs", LEAF)
     sheet.outline("384,520 358,556 326,578! 300,584 276,602! 300,602 308,612! 330,604 340,612! "
                   "366,600 394,576 428,536", passes=2, reach=0.8)
     sheet.outline("800,486 822,540 852,578 858,604! 844,618 832,636! 852,634 862,644! 878,634 "
                   "892,638! 894,604 888,570 862,530 848,480", passes=2, reach=0.8)
-    sheet.group("body")
+    sheet.group("body", LEAF)
     sheet.outline(
         "66,320 74,290 102,282 132,302 204,326 264,334 302,324 320,292 350,278 380,298 394,328 "
         "440,330 510,312 590,304 670,318 750,352 816,394 866,420 910,414 942,376 952,318! "
@@ -44,7 +44,7 @@ def alligator(sheet):
                "600,392 616,408 632,392", "670,368 684,382 700,368", "724,394 738,408 752,394",
                "560,440 574,454 588,440", "616,434 630,448 644,434", "780,424 792,436 804,424",
                "826,440 836,450 846,440", "410,400 422,412 436,398", width=1.6, colour=GREY)
-    sheet.group("near-front-leg")
+    sheet.group("near-front-leg", LEAF)
     sheet.place = lambda x, y: (x + 32, y)
     sheet.outline("450,440 440,500 464,548 460,584 440,616! 420,630 402,652! 424,648 434,660! "
                   "454,650 466,662! 486,650 502,656! 506,622 524,584 542,540 544,480 524,440",
@@ -52,7 +52,7 @@ def alligator(sheet):
     sheet.line("466,470 462,506", "516,470 520,510", "450,560 456,540", width=1.5, colour=GREY)
     sheet.hatch("542,480 540,540 506,620", "512,500 510,550 480,616", 10, slant=0.05)
     sheet.place = lambda x, y: (x, y)
-    sheet.group("near-hind-leg")
+    sheet.group("near-hind-leg", LEAF)
     sheet.outline("680,420 652,480 670,540 712,572 706,610! 684,626 664,652! 688,648 700,660! "
                   "720,650 734,662! 752,650 768,656! 768,620 774,580 806,530 806,460 764,416",
                   passes=2, reach=0.9)

@@ -2,7 +2,7 @@
 """Seahorse, crab and octopus."""
 
 from sketching.curve import limb, parse, ring
-from sketching.sheet import GREY, WARM
+from sketching.sheet import BUTTER, CORAL, GREY, LILAC, ROSE, WARM
 
 
 def seahorse(sheet):
@@ -15,12 +15,12 @@ def seahorse(sheet):
     front = parse("524,530 476,486 428,438 410,384 424,334 452,296 464,262 444,238 400,226 356,224 326,222")
     sheet.group("construction")
     sheet.guide("500,20 560,140 600,260", "300,420 380,410", "700,560 640,640")
-    sheet.group("dorsal-fin")
+    sheet.group("dorsal-fin", ROSE)
     sheet.outline("640,318 684,304 730,314 756,350! 740,368 744,392! 724,400 718,424! 690,430 668,440",
                   passes=2, reach=0.8)
     sheet.line("656,344 700,336 738,348", "664,374 704,374 734,386", "668,404 694,406 712,416",
                "650,328 690,318 720,322", width=1.5)
-    sheet.group("body")
+    sheet.group("body", BUTTER)
     sheet.outline(head + tail + front, closed=True,
                   gaps="660,370,26 608,250,34 560,712,20 470,240,16")
     sheet.eye(474, 156, 9, turns=5)
@@ -52,14 +52,14 @@ def crab(sheet):
 
     for name, place in (("left", lambda x, y: (x, y)), ("right", other_side)):
         sheet.place = place
-        sheet.group(f"{name}-legs")
+        sheet.group(f"{name}-legs", CORAL)
         sheet.outline(limb("330,440 240,428 160,452 96,524", [46, 36, 28, 6], tip_round=False),
                       limb("344,490 262,510 200,560 164,640", [46, 36, 28, 6], tip_round=False),
                       limb("400,524 340,580 306,636 300,706", [46, 36, 28, 6], tip_round=False),
                       passes=2, reach=0.9)
         sheet.line("240,414 248,444", "168,436 178,466", "262,496 272,524", "208,542 222,568",
                    "332,576 356,592", "300,634 322,644", width=1.7)
-    sheet.group("left-claw")
+    sheet.group("left-claw", CORAL)
     sheet.place = lambda x, y: (x, y)
     sheet.outline(limb("356,380 290,360 240,318 214,262", [54, 46, 42, 40]), passes=2, reach=0.9)
     claw = ("236,284 184,268 136,214 126,146 160,80 232,44! 218,86 216,124 226,160! 246,128 280,104 "
@@ -67,7 +67,7 @@ def crab(sheet):
     sheet.outline(claw, gaps="130,190,20")
     sheet.line("160,150 172,190 204,222", "262,150 280,136", "226,162 228,190")
     sheet.hatch("150,210 190,256 240,272", "168,200 206,238 246,250", 9)
-    sheet.group("right-claw")
+    sheet.group("right-claw", CORAL)
     sheet.place = lambda x, y: (1008 - x, y + 24)
     sheet.outline(limb("356,362 290,350 240,314 214,262", [54, 46, 42, 40]), passes=2, reach=0.9)
     sheet.outline("240,280 190,268 150,220 146,160 180,104 244,84! 232,118 230,146 238,174! 258,150 "
@@ -75,7 +75,7 @@ def crab(sheet):
     sheet.line("176,160 186,196 212,226", "270,170 284,160", "238,176 240,200")
     sheet.hatch("168,216 200,256 244,268", "184,206 214,238 250,248", 8)
     sheet.place = lambda x, y: (x, y)
-    sheet.group("body")
+    sheet.group("body", CORAL)
     sheet.outline("296,430 304,376 352,330 424,306 500,300 576,306 648,330 696,376 704,430 676,484 "
                   "610,528 500,546 390,528 324,484", closed=True, gaps="560,540,40 370,322,22")
     sheet.outline("440,308 432,276 428,250", "464,302 458,274 454,248", "540,300 548,272 552,248",
@@ -110,7 +110,7 @@ def octopus(sheet):
     """An octopus, all arms out."""
     widths = [80, 66, 52, 40, 29, 21, 13]
     for name, spine in TENTACLES:
-        sheet.group(f"tentacle-{name}")
+        sheet.group(f"tentacle-{name}", LILAC)
         sheet.outline(limb(spine, widths), passes=2)
         # The suckers sit on the lower side, half way to the edge, and shrink towards the tip.
         track = limb(spine, [0.45 * w for w in widths])
@@ -118,7 +118,7 @@ def octopus(sheet):
         below = track[:half] if name.startswith("left") else track[: half : -1]
         for i in range(2, half - 1, 1 + half // 8):
             sheet.line(ring(*below[i][:2], 8.5 - 6 * i / half), closed=True, width=1.5, colour=WARM)
-    sheet.group("head")
+    sheet.group("head", LILAC)
     sheet.outline("368,416 356,366 322,300 320,196 386,108 500,72 614,108 680,196 678,300 644,366 "
                   "632,416 572,446 500,454 428,446", closed=True, gaps="386,108,26 684,250,30")
     sheet.outline(ring(438, 318, 32, 37), ring(562, 318, 32, 37), closed=True, passes=1, width=2.2)

@@ -2,7 +2,7 @@
 """Shapes that each test one thing: a large gap, a slanted gap, noise, a spiral."""
 
 from sketching.curve import limb, parse, ring
-from sketching.sheet import BLUE, GREY, WARM
+from sketching.sheet import BLUE, GREY, LEAF, MINT, SEA, SKY, WARM
 
 
 def mirrored(text, axis_x):
@@ -16,7 +16,7 @@ def vase(sheet):
             "404,618 424,650 412,668 386,686 382,704!")
     sheet.group("construction")
     sheet.guide("500,70 501,300 499,560 500,770", "250,420 500,424 560,420", "360,706 640,708")
-    sheet.group("vase")
+    sheet.group("vase", SKY)
     sheet.outline(ring(500, 136, 92, 19), closed=True)
     sheet.outline(side, gaps="330,530,26")
     sheet.outline(mirrored(side, 500), gaps="702,440,225")
@@ -34,7 +34,7 @@ def vase(sheet):
 
 def blob(sheet):
     """A friendly blob whose outline is open on a slant."""
-    sheet.group("blob")
+    sheet.group("blob", MINT)
     sheet.outline("236,306 280,200 390,150 500,176 590,130 706,160 772,258 752,370 806,466 778,580 "
                   "676,640 566,612 476,672 356,648 298,560 206,502 190,396", closed=True, passes=3,
                   reach=0.75, gaps="752,206,160 330,606,24 208,352,20")
@@ -56,7 +56,7 @@ def noisy_vase(sheet):
             "400,676 392,704!")
     sheet.group("construction")
     sheet.guide("500,90 502,380 498,750", "180,430 220,432", "790,428 840,430")
-    sheet.group("vase")
+    sheet.group("vase", SEA)
     sheet.outline(ring(500, 148, 98, 20), closed=True)
     sheet.outline(side, gaps="300,320,34 350,630,22")
     sheet.outline(mirrored(side, 501), gaps="744,470,40 650,270,24")
@@ -101,7 +101,7 @@ def spiral(sheet):
     outer, inner = band[: len(band) // 2], limb(spine, [0.5 * w for w in widths])
     sheet.group("construction")
     sheet.guide("470,376 500,395 524,420", "478,412 500,395 530,376", "500,40 620,52 700,90")
-    sheet.group("spiral")
+    sheet.group("spiral", LEAF)
     sheet.outline(band, closed=True, gaps="500,48,26 850,420,24 190,500,22")
     sheet.hatch(outer[2:], inner[2 : len(inner) // 2], 120, slant=0.004)
     sheet.group("noise")

@@ -53,7 +53,7 @@ std::vector<Rect> layer_boxes(RestModel const& model) {
   return boxes;
 }
 
-DrawList layer_ink(Drawing const& drawing, Layer const& layer, std::vector<Polyline> const& rims,
+DrawList layer_ink(Drawing const& drawing, Layer const& layer, std::vector<RimLine> const& rims,
                    OutlineLook outline, BackDetails details) {
   auto list = outline == OutlineLook::Clean ? draw_clean_rims(drawing, layer, rims) : DrawList{};
   auto strokes = outline == OutlineLook::Clean ? std::vector<int>{} : layer.strokes;

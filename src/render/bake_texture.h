@@ -30,8 +30,8 @@ struct BakeOptions {
 /// in      model: made from this drawing; layer i of its faces is layer i of the drawing. Layers that the drawing lacks
 ///         are plain
 /// out     no triangle comes nearer than `padding` to the border of its rectangle
-/// cost    about 40 ms for 5 layers of 1000 px; memory: the picture and 2 MB
-/// source  docs/algorithms/texture.md
+/// cost    about 10 ms for 5 layers of 1000 px; memory: the picture, at most 17 MB by default, and 2 MB
+/// source  docs/algorithms/render.md
 Texture bake_texture(Drawing const& drawing, RestModel const& model,
                      BakeOptions const& options = {});
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/draw_layer.h"
 
+#include <algorithm>
+
 #include "image/to_byte.h"
 #include "render/ink_line.h"
 
@@ -14,6 +16,10 @@ constexpr double kCleanWidthFactor = 1.2;
 Stroke const& stroke_at(Drawing const& drawing, int index) {
   return drawing.sketch.strokes[static_cast<std::size_t>(index)];
 }
+
+/// No line is wider on the surface than this times its width, unless it would be thinner in the drawing than a share.
+constexpr double kWidestOnSurface = 4;
+constexpr double kThinnestShare = 0.35;
 
 /// Colour and width of the layer's outline strokes on average.
 StrokedPolyline mean_pen(Drawing const& drawing, Layer const& layer) {
@@ -41,12 +47,18 @@ StrokedPolyline mean_pen(Drawing const& drawing, Layer const& layer) {
 }  // namespace
 
 DrawList draw_clean_rims(Drawing const& drawing, Layer const& layer,
-                         std::vector<Polyline> const& rims) {
+                         std::vector<RimLine> const& rims) {
   auto line = mean_pen(drawing, layer);
   DrawList list;
   if (line.widths_px[0] <= 0) return list;
+  double const width_px = line.widths_px[0];
   for (auto const& rim : rims) {
-    line.points = rim;
+    line.points = rim.points;
+    line.widths_px.clear();
+    for (double const steepness : rim.steepness) {
+      line.widths_px.push_back(width_px *
+                               std::clamp(kWidestOnSurface / steepness, kThinnestShare, 1.0));
+    }
     list.push_back(line);
   }
   return list;

@@ -8,11 +8,17 @@
 
 namespace inkflate {
 
-/// Where the front and the back of each layer meet, on the canvas, as lines; a line that is closed ends where it
-/// starts. Open runs are no part of it.
+/// A stretch of the rim of a layer, on the canvas. One that is closed ends where it starts.
+struct RimLine {
+  Polyline points;
+  std::vector<double>
+      steepness;  // per point: how much longer a step from the rim is on the surface than on the canvas, >= 1
+};
+
+/// Where the front and the back of each layer meet. Open runs are no part of it.
 ///
 /// out     per layer
 /// cost    O(n log n)
-std::vector<std::vector<Polyline>> layer_rims(RestModel const& model);
+std::vector<std::vector<RimLine>> layer_rims(RestModel const& model);
 
 }  // namespace inkflate

@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "image/filter.h"
 #include "image/to_byte.h"
+#include "render/ground_shadow.h"
 #include "render/model_edges.h"
 #include "render/model_light.h"
 #include "render/palette.h"
@@ -170,14 +171,21 @@ class ModelRasteriser {
     auto const normal = surface_normal(list_, grid_, triangle, middle.x, middle.y);
     if (!texture_) return sum.add(clay_colour(normal), count);
     auto const light = soft_light(normal);
-    auto const& places = list_.corners[static_cast<std::size_t>(triangle)];
+    // Places on the texture run evenly across a triangle: three give all.
+    Vec2 const origin = texture_place(triangle, corner);
+    Vec2 const across = texture_place(triangle, corner + Vec2{1, 0}) - origin;
+    Vec2 const down = texture_place(triangle, corner + Vec2{0, 1}) - origin;
     for (int i = 0; i < kSamples; ++i) {
       if (!(samples >> i & 1U)) continue;
-      Vec2 const sample = corner + offset(i);
-      auto const w = grid_.weights(triangle, sample.x, sample.y);
-      Vec2 const place = w[0] * places[0] + w[1] * places[1] + w[2] * places[2];
+      Vec2 const place = origin + offset(i).x * across + offset(i).y * down;
       sum.add(clamped(light.factor * sample_texture(*texture_, place) + light.gloss));
     }
+  }
+
+  Vec2 texture_place(int triangle, Vec2 sample) const {
+    auto const weights = grid_.weights(triangle, sample.x, sample.y);
+    auto const& [a, b, c] = list_.corners[static_cast<std::size_t>(triangle)];
+    return weights[0] * a + weights[1] * b + weights[2] * c;
   }
 
   static Rgb clamped(Rgb c) {
@@ -216,35 +224,6 @@ class ModelRasteriser {
   std::vector<std::vector<int>> bands_;  // triangles
 };
 
-/// A soft dark ellipse under the model.
-void draw_shadow(DrawTriangles const& list, Picture& picture) {
-  if (list.positions.empty()) return;
-  Vec3 low = list.positions[0];
-  Vec3 high = low;
-  for (auto const p : list.positions) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), 0};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), 0};
-  }
-  constexpr double kFlatness = 0.11;
-  constexpr double kDarkest = 70;  // of 255
-  double const radius_px = std::max(0.52 * (high.x - low.x), 1e-9);
-  Vec2 const centre = {picture.width * 0.5 + (low.x + high.x) / 2,
-                       picture.height * 0.5 - low.y - 0.25 * kFlatness * radius_px};
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
-      Vec2 const d = (Vec2{x + 0.5, y + 0.5} - centre) / radius_px;
-      double const share = 1 - d.x * d.x - d.y * d.y / (kFlatness * kFlatness);
-      if (share <= 0) continue;
-      auto& pixel = picture.at(x, y);
-      double const alpha = kDarkest / 255 * share * share;
-      double const below = (1 - alpha) * pixel.a / 255;
-      double const keep = below / (alpha + below);
-      auto const darker = [&](std::uint8_t value) { return to_byte(value * keep); };
-      pixel = {darker(pixel.r), darker(pixel.g), darker(pixel.b), to_byte(255 * (alpha + below))};
-    }
-  }
-}
-
 }  // namespace
 
 Picture rasterise_model(DrawTriangles const& list, int width, int height,
@@ -252,7 +231,7 @@ Picture rasterise_model(DrawTriangles const& list, int width, int height,
   CHECK(width >= 0 && height >= 0 && width <= kLargestSidePx && height <= kLargestSidePx,
         "picture side out of range");
   Picture picture(width, height, options.background);
-  if (options.shadow == GroundShadow::On) draw_shadow(list, picture);
+  if (options.shadow == GroundShadow::On) draw_ground_shadow(list, picture);
   ModelRasteriser(list, width, height).draw(picture);
   return picture;
 }

@@ -29,6 +29,41 @@ int last_sample(std::int64_t high, int end) {
   return static_cast<int>(std::min<std::int64_t>((high - kUnit / 2) >> 8, end - 1));
 }
 
+using Areas = std::array<std::int64_t, 3>;
+
+void step(Areas& areas, Areas const& by) {
+  for (std::size_t k = 0; k < 3; ++k) areas[k] += by[k];
+}
+
+/// Per corner the area between a sample and the edge opposite of it, not negative inside, and how it changes from one
+/// sample to the next.
+struct EdgeAreas {
+  Areas here{};
+  Areas step_x{};
+  Areas step_y{};
+  double whole = 0;
+
+  EdgeAreas(std::array<std::array<std::int64_t, 2>, 3> const& places, std::int64_t area,
+            std::array<std::int64_t, 2> const& sample) {
+    std::int64_t const turn = area > 0 ? 1 : -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      auto const& a = places[(k + 1) % 3];
+      auto const& b = places[(k + 2) % 3];
+      here[k] = turn * double_area(a, b, sample);
+      step_x[k] = -turn * (b[1] - a[1]) * kUnit;
+      step_y[k] = turn * (b[0] - a[0]) * kUnit;
+    }
+    whole = static_cast<double>(turn * area);
+  }
+
+  /// The corners' values, weighted by the areas.
+  double mean(Areas const& areas, std::array<double, 3> const& values) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += static_cast<double>(areas[k]) * values[k];
+    return sum / whole;
+  }
+};
+
 }  // namespace
 
 SampleGrid::SampleGrid(DrawTriangles const& list, int width_px, int height_px)
@@ -61,13 +96,20 @@ SampleGrid::Corners SampleGrid::corners(int triangle) const {
   return result;
 }
 
+std::array<double, 3> SampleGrid::depths(int triangle) const {
+  auto const& corner = triangles_[static_cast<std::size_t>(triangle)];
+  auto const z = [&](int vertex) { return positions_[static_cast<std::size_t>(vertex)].z; };
+  return {z(corner[0]), z(corner[1]), z(corner[2])};
+}
+
 std::array<double, 3> SampleGrid::weights(int triangle, double x, double y) const {
-  auto const [places, area] = corners(triangle);
+  auto const corner = corners(triangle);
   Place const p = {static_cast<std::int64_t>(x * kUnit), static_cast<std::int64_t>(y * kUnit)};
-  auto const share = [&](Place const& a, Place const& b) {
-    return static_cast<double>(double_area(a, b, p)) / static_cast<double>(area);
+  auto const whole = static_cast<double>(corner.double_area);
+  auto const share = [&](std::size_t a, std::size_t b) {
+    return static_cast<double>(double_area(corner.places[a], corner.places[b], p)) / whole;
   };
-  return {share(places[1], places[2]), share(places[2], places[0]), share(places[0], places[1])};
+  return {share(1, 2), share(2, 0), share(0, 1)};
 }
 
 std::array<int, 2> SampleGrid::rows(int triangle) const {
@@ -85,59 +127,38 @@ void SampleBand::start(int top) {
 }
 
 void SampleBand::add(SampleGrid const& grid, int triangle) {
-  auto [places, area] = grid.corners(triangle);
-  if (area == 0) return;
-  auto const& vertices = grid.triangles_[static_cast<std::size_t>(triangle)];
-  auto const z = [&](std::size_t k) {
-    return grid.positions_[static_cast<std::size_t>(vertices[k])].z;
-  };
-  std::array<double, 3> const depths = {z(0), z(1), z(2)};
+  auto const corner = grid.corners(triangle);
+  if (corner.double_area == 0) return;
+  auto const& places = corner.places;
   auto const [left, right] = std::minmax({places[0][0], places[1][0], places[2][0]});
   auto const [low, high] = std::minmax({places[0][1], places[1][1], places[2][1]});
   int const first_x = first_sample(left, 0);
-  int const last_x = last_sample(right, triangles_.width);
+  int const end_x = last_sample(right, triangles_.width) + 1;
   int const first_y = first_sample(low, top_);
-  int const last_y = last_sample(high, top_ + triangles_.height);
-  std::int64_t const turn = area > 0 ? 1 : -1;
-  // Per edge (opposite corner k): its area with the sample, positive inside, and the steps to the next sample.
-  std::array<std::int64_t, 3> step_x{};
-  std::array<std::int64_t, 3> step_y{};
-  std::array<std::int64_t, 3> row{};
-  SampleGrid::Place const start = {first_x * kUnit + kUnit / 2, first_y * kUnit + kUnit / 2};
-  for (std::size_t k = 0; k < 3; ++k) {
-    auto const& a = places[(k + 1) % 3];
-    auto const& b = places[(k + 2) % 3];
-    row[k] = turn * double_area(a, b, start);
-    step_x[k] = -turn * (b[1] - a[1]) * kUnit;
-    step_y[k] = turn * (b[0] - a[0]) * kUnit;
-  }
-  double const whole = static_cast<double>(turn * area);
-  double const depth_step =
-      (static_cast<double>(step_x[0]) * depths[0] + static_cast<double>(step_x[1]) * depths[1] +
-       static_cast<double>(step_x[2]) * depths[2]) /
-      whole;
-  for (int y = first_y; y <= last_y; ++y) {
-    auto edge = row;
-    double depth =
-        (static_cast<double>(row[0]) * depths[0] + static_cast<double>(row[1]) * depths[1] +
-         static_cast<double>(row[2]) * depths[2]) /
-        whole;
-    for (int x = first_x; x <= last_x; ++x) {
-      if ((edge[0] | edge[1] | edge[2]) >= 0) {
-        auto const index =
-            static_cast<std::size_t>(y - top_) * static_cast<std::size_t>(triangles_.width) +
-            static_cast<std::size_t>(x);
-        auto const nearer = static_cast<float>(depth);
-        if (triangles_.values[index] < 0 || nearer > depths_.values[index]) {
-          triangles_.values[index] = triangle;
-          depths_.values[index] = nearer;
-        }
-      }
-      for (std::size_t k = 0; k < 3; ++k) edge[k] += step_x[k];
+  int const end_y = last_sample(high, top_ + triangles_.height) + 1;
+  EdgeAreas row(places, corner.double_area,
+                {first_x * kUnit + kUnit / 2, first_y * kUnit + kUnit / 2});
+  auto const depths = grid.depths(triangle);
+  double const depth_step = row.mean(row.step_x, depths);
+  for (int y = first_y; y < end_y; ++y) {
+    auto areas = row.here;
+    double depth = row.mean(areas, depths);
+    for (int x = first_x; x < end_x; ++x) {
+      bool const is_inside = (areas[0] | areas[1] | areas[2]) >= 0;  // no sign bit is set
+      if (is_inside) see(x, y - top_, triangle, static_cast<float>(depth));
+      step(areas, row.step_x);
       depth += depth_step;
     }
-    for (std::size_t k = 0; k < 3; ++k) row[k] += step_y[k];
+    step(row.here, row.step_y);
   }
+}
+
+void SampleBand::see(int x, int row, int triangle, float depth) {
+  auto& seen = triangles_.at(x, row);
+  auto& nearest = depths_.at(x, row);
+  if (seen >= 0 && depth <= nearest) return;
+  seen = triangle;
+  nearest = depth;
 }
 
 }  // namespace inkflate

@@ -23,7 +23,8 @@ class SampleGrid {
   int width() const { return width_; }    // samples
   int height() const { return height_; }  // samples
 
-  /// The weights of a triangle's corners at a place on the grid; their sum is 1. The place lies inside.
+  /// The weights of the corners of a triangle that is seen, at a place on the grid; their sum is 1, and inside of it none is
+  /// negative.
   std::array<double, 3> weights(int triangle, double x, double y) const;
 
   /// Its corners run against the clock on the screen.
@@ -44,6 +45,7 @@ class SampleGrid {
   };
 
   Corners corners(int triangle) const;
+  std::array<double, 3> depths(int triangle) const;
 
   int width_ = 0;
   int height_ = 0;
@@ -69,6 +71,8 @@ class SampleBand {
   Grid2<float> const& depths() const { return depths_; }
 
  private:
+  void see(int x, int row, int triangle, float depth);
+
   int top_ = 0;
   Grid2<int> triangles_;
   Grid2<float> depths_;
