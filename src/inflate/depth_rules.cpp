@@ -138,8 +138,9 @@ void add_slit_rules(Joint const& joint, std::span<LayerShape const> shapes, doub
   double const sign = joint.side == Side::Front ? 1 : -1;
   for (std::size_t i = 0; i < joint.limb_vertices.size(); ++i) {
     Vec2 const p = limb.mesh.points[joint.limb_vertices[i]];
+    Vec2 const q = host.mesh.points[joint.host_vertices[i]];  // the same place
     bool const is_end = i == 0 || i + 1 == joint.limb_vertices.size();
-    rules.push_back({limb.plate.depth(p), host.plate.depth(p),
+    rules.push_back({limb.plate.depth(p), host.plate.depth(q),
                      sign * host.heights[joint.host_vertices[i]],
                      is_end ? weight : weight * kSoftMiddle, true, 0});
   }
@@ -153,9 +154,11 @@ void add_mouth_rules(Joint const& joint, std::span<LayerShape const> shapes, dou
   auto const& points = limb.mesh.points;
   Vec2 const along = points[joint.limb_vertices.back()] - points[joint.limb_vertices.front()];
   Vec2 const across = perpendicular(normalized(along));
-  for (int const v : joint.limb_vertices) {
-    rules.push_back({limb.plate.depth(points[v]), host.plate.depth(points[v]), 0, weight, true, 0});
-    rules.push_back({limb.plate.slope(points[v], across), host.plate.slope(points[v], across), 0,
+  for (std::size_t i = 0; i < joint.limb_vertices.size(); ++i) {
+    Vec2 const p = points[joint.limb_vertices[i]];
+    Vec2 const q = host.mesh.points[joint.host_vertices[i]];  // the same place
+    rules.push_back({limb.plate.depth(p), host.plate.depth(q), 0, weight, true, 0});
+    rules.push_back({limb.plate.slope(p, across), host.plate.slope(q, across), 0,
                      weight * squared_norm(along), true, 0});
   }
 }
