@@ -80,13 +80,23 @@ planted_faults() {
 }
 
 all_outside_judges() {
-  judges_from_npm && make_test_models && make_example_models glb stl obj || return
+  judges_from_npm && make_test_models && make_example_models glb stl obj 3mf || return
   run_judges judge.py --all --red-over-blue $test_models/*.glb $test_models/*.stl $test_models/*.obj $test_models/*.3mf
-  run_judges judge.py --all $example_models/*.glb $example_models/*.stl $example_models/*.obj
+  run_judges judge.py --all $example_models/*.glb $example_models/*.stl $example_models/*.obj $example_models/*.3mf
 }
 
+# Parts of a drawing that touch nothing stay pieces of their own; our own check tells which, and the judges must count the same.
 all_judges_of_prints() {
-  make_example_prints stl && run_judges judge.py --all --print $example_prints/*
+  local print whole=() pieces=()
+  make_example_prints stl 3mf || return
+  for print in $example_prints/*; do
+    if build/release/inkflate check --quiet --print "$print"; then whole+=("$print"); else pieces+=("$print"); fi
+  done
+  run_judges judge.py --all --print "${whole[@]}"
+  [ ${#pieces[@]} -eq 0 ] && return
+  echo "in several pieces: ${pieces[*]##*/}"
+  build/release/inkflate check --quiet "${pieces[@]}" || count 0 1
+  run_judges judge.py --all "${pieces[@]}"
 }
 
 all_planted_faults() {
