@@ -9,15 +9,6 @@
 namespace inkflate::cli {
 namespace {
 
-// Names and messages may hold anything; a line on the terminal must stay one line and steer nothing.
-std::string one_line(std::string_view text) {
-  std::string line(text);
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20U || c == 0x7f) c = '?';
-  }
-  return line;
-}
-
 void print_line(std::string_view file, std::string_view message) {
   std::string line = "inkflate: ";
   if (!file.empty()) line += one_line(file) + ": ";
@@ -26,6 +17,14 @@ void print_line(std::string_view file, std::string_view message) {
 }
 
 }  // namespace
+
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < 0x20U || c == 0x7f) c = '?';
+  }
+  return line;
+}
 
 bool print(std::string_view text) { return !write_file(std::string(kStandardStream), text); }
 

@@ -14,6 +14,9 @@ using Json = nlohmann::ordered_json;
 /// Puts text on standard output. False: it cannot be written.
 bool print(std::string_view text);
 
+/// Names and messages may hold anything; a line on the terminal must stay one line and steer nothing.
+std::string one_line(std::string_view text);
+
 /// One line on standard error: "inkflate: FILE: message"; an empty file name is left out.
 void print_error(std::string_view file, Error const& error);
 void print_warning(std::string_view file, std::string_view message);

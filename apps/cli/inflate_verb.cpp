@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
-#include <sstream>
 #include <utility>
+#include <variant>
 
 #include "cli/batch.h"
 #include "cli/files.h"
+#include "cli/inflate_options.h"
 #include "cli/load_project.h"
-#include "cli/option_values.h"
 #include "cli/output_plan.h"
 #include "cli/progress_line.h"
-#include "cli/simplify_options.h"
 #include "cli/verb.h"
+#include "cli/write_drawing.h"
 #include "cli/write_model.h"
 #include "io/json_report.h"
-#include "mesh/check_mesh.h"
-#include "pipeline/run_inflate.h"
 #include "pipeline/stage_clock.h"
 #include "render/bake_texture.h"
 
@@ -25,30 +24,32 @@ namespace {
 /// The options as the user wrote them.
 struct InflateCall {
   SharedOptions shared;
-  SimplifyWords words;
-  std::string thickness;
-  std::string density;
-  OpenRuns open = OpenRuns::Joined;
+  InflateWords words;
 };
+
+/// A model, or the project that it is made from.
+using OutputFormat = std::variant<ModelFormat, DrawingFormat>;
 
 /// What to do, checked.
 struct InflatePlan {
-  RunSimplifyOptions simplify;
-  RunInflateOptions inflate;
-  std::optional<double> thickness;
+  InflateChoices choices;
   std::vector<std::string> outputs;
-  std::vector<ModelFormat> formats;
+  std::vector<OutputFormat> formats;
 };
 
-/// A number within a range, where one was given.
-Result<std::optional<double>> parse_within(std::string const& option, std::string const& text,
-                                           double least, double most) {
-  if (text.empty()) return std::optional<double>{};
-  auto const number = parse_number(text);
-  if (number && *number >= least && *number <= most) return number;
-  std::ostringstream range;
-  range << option << " wants a number from " << least << " to " << most << ", not " << text;
-  return Error{ErrorCode::BadOption, range.str()};
+Result<OutputFormat> output_format(std::string const& path, bool is_print) {
+  auto const extension = lower_extension(path);
+  auto const model = path.empty() ? ModelFormat::Glb : model_format(path);
+  bool const is_printable = model == ModelFormat::Stl || model == ModelFormat::ThreeMf;
+  if (is_print && !path.empty() && !is_printable) {
+    return Error{ErrorCode::BadOption, "cannot print " + path + ": --print writes .stl and .3mf"};
+  }
+  if (model) return OutputFormat{*model};
+  if (extension == ".inkflate") return OutputFormat{DrawingFormat::Inkflate};
+  if (extension == ".zip") return OutputFormat{DrawingFormat::MonsterMash};
+  return Error{ErrorCode::BadOption, "cannot write " + path +
+                                         ": inflate writes .glb, .obj, .stl, .3mf, .inkflate and "
+                                         ".zip (Monster Mash)"};
 }
 
 std::optional<Error> plan_files(InflateCall const& call, InflatePlan& plan) {
@@ -59,15 +60,13 @@ std::optional<Error> plan_files(InflateCall const& call, InflatePlan& plan) {
   if (shared.is_json && shared.output == kStandardStream) {
     return Error{ErrorCode::BadOption, "-o - and --json both want standard output; name a file"};
   }
-  auto outputs = plan_outputs(shared.inputs, {"-o", shared.output, ".glb"});
+  char const* const extension = call.words.is_print ? ".stl" : ".glb";
+  auto outputs = plan_outputs(shared.inputs, {"-o", shared.output, extension});
   if (!outputs) return outputs.error();
   plan.outputs = std::move(*outputs);
   for (auto const& output : plan.outputs) {
-    auto const format = output.empty() ? ModelFormat::Glb : model_format(output);
-    if (!format) {
-      return Error{ErrorCode::BadOption,
-                   "cannot write " + output + ": inflate writes .glb, .obj and .stl"};
-    }
+    auto const format = output_format(output, call.words.is_print);
+    if (!format) return format.error();
     plan.formats.push_back(*format);
   }
   return find_collision(shared.inputs, plan.outputs);
@@ -76,45 +75,100 @@ std::optional<Error> plan_files(InflateCall const& call, InflatePlan& plan) {
 Result<InflatePlan> make_plan(InflateCall const& call) {
   InflatePlan plan;
   if (auto const error = plan_files(call, plan)) return *error;
-  auto simplify = simplify_options(call.words);
-  if (!simplify) return simplify.error();
-  plan.simplify = std::move(*simplify);
-  auto const thickness = parse_within("--thickness", call.thickness, 0.1, 32);
-  if (!thickness) return thickness.error();
-  plan.thickness = *thickness;
-  auto const density = parse_within("--density", call.density, 0.1, 10);
-  if (!density) return density.error();
-  plan.inflate.assemble.density = density->value_or(1);
-  plan.inflate.assemble.open = call.open;
+  auto choices = inflate_choices(call.words);
+  if (!choices) return choices.error();
+  plan.choices = std::move(*choices);
   return plan;
+}
+
+/// The project as it is to be inflated.
+std::optional<Error> prepare(Project& project, InflateChoices const& choices) {
+  auto& layers = project.drawing.layers;
+  for (auto const& name : choices.duplicates) {
+    auto const found = std::find_if(layers.begin(), layers.end(),
+                                    [&](Layer const& layer) { return layer.name == name; });
+    if (found == layers.end()) {
+      return Error{ErrorCode::BadOption, "--duplicate: there is no layer \"" + name + "\""};
+    }
+    duplicate_behind(project.drawing, static_cast<int>(found - layers.begin()));
+  }
+  if (choices.thickness) {
+    for (auto& layer : layers) layer.thickness = *choices.thickness;
+  }
+  if (choices.wear == Wear::Template && !project.template_picture) {
+    return Error{ErrorCode::BadOption, "--wear template: the project has no template picture"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> write_worn(Project const& project, RestModel const& model, Wear wear,
+                                ModelFormat format, std::string const& path,
+                                Progress const& progress) {
+  bool const has_texture = format == ModelFormat::Glb || format == ModelFormat::Obj;
+  Texture texture;
+  if (has_texture && wear != Wear::Nothing) {
+    progress.report("texture");
+    texture = wear == Wear::Drawing ? bake_texture(project.drawing, model)
+                                    : wear_picture(*project.template_picture, model);
+  }
+  progress.report("write");
+  return write_model(model, texture.corners.empty() ? nullptr : &texture, project.drawing, format,
+                     path);
+}
+
+std::string report_of(TriMesh const& mesh, Project const& project, std::string const& unit,
+                      StageClock& clock) {
+  clock.stop();
+  ModelFacts const facts = {static_cast<int>(std::ssize(project.drawing.layers)), unit};
+  return json_report(mesh, check_mesh(mesh), facts, clock.times());
+}
+
+/// One job while it runs.
+struct InflateJob {
+  InflateChoices const& choices;
+  OutputFormat format;
+  std::string const& path;
+  StageClock& clock;
+  Progress const& progress;
+};
+
+Result<Json> finish_print(InflateJob const& job, Project const& project, RestModel const& model) {
+  auto const shell = solidify(model.mesh, *job.choices.print, job.progress);
+  if (!shell) return shell.error();
+  job.progress.report("write");
+  if (!job.path.empty()) {
+    auto const format = std::get<ModelFormat>(job.format);
+    if (auto error = write_print(*shell, project.drawing, format, job.path)) return *error;
+  }
+  return Json::parse(report_of(*shell, project, "mm", job.clock));
+}
+
+Result<Json> finish_model(InflateJob const& job, Project const& project, RestModel const& model) {
+  std::optional<Error> error;
+  if (auto const* format = std::get_if<DrawingFormat>(&job.format)) {
+    job.progress.report("write");
+    error = write_drawing(project, *format, job.path);
+  } else if (!job.path.empty()) {
+    error = write_worn(project, model, job.choices.wear, std::get<ModelFormat>(job.format),
+                       job.path, job.progress);
+  }
+  if (error) return *error;
+  return Json::parse(report_of(model.mesh, project, "px", job.clock));
 }
 
 Result<Json> inflate_one(InflateCall const& call, InflatePlan const& plan, int index,
                          ProgressLine& line) {
+  auto const& choices = plan.choices;
   StageClock clock;
   Progress const shown = {[&](std::string_view stage) { line.show(stage); }, {}};
   Progress const progress = clock.timed(shown);
-  auto project = load_project(call.shared, call.shared.inputs[index], plan.simplify, progress);
+  auto project = load_project(call.shared, call.shared.inputs[index], choices.simplify, progress);
   if (!project) return project.error();
-  auto& drawing = project->drawing;
-  if (plan.thickness) {
-    for (auto& layer : drawing.layers) layer.thickness = *plan.thickness;
-  }
-  auto const model = run_inflate(drawing, plan.inflate, progress);
+  if (auto const error = prepare(*project, choices)) return *error;
+  auto const model = run_inflate(project->drawing, choices.inflate, progress);
   if (!model) return model.error();
-  auto const& output = plan.outputs[index];
-  if (!output.empty()) {
-    progress.report("texture");
-    auto const texture = bake_texture(drawing, *model);
-    progress.report("write");
-    if (auto const error = write_model(*model, &texture, plan.formats[index], output)) {
-      return *error;
-    }
-  }
-  clock.stop();
-  if (!call.shared.is_json) return Json::object();
-  ModelFacts const facts = {static_cast<int>(std::ssize(model->layer_names)), "px"};
-  return Json::parse(json_report(model->mesh, check_mesh(model->mesh), facts, clock.times()));
+  InflateJob const job = {choices, plan.formats[index], plan.outputs[index], clock, progress};
+  return choices.print ? finish_print(job, *project, *model) : finish_model(job, *project, *model);
 }
 
 ExitStatus run_inflate_verb(InflateCall const& call) {
@@ -129,19 +183,10 @@ ExitStatus run_inflate_verb(InflateCall const& call) {
 
 Verb declare_inflate(CLI::App& program) {
   auto const call = std::make_shared<InflateCall>();
-  call->words.parts = Parts::Groups;
+  call->words.simplify.parts = Parts::Groups;
   auto& verb = *program.add_subcommand("inflate", "Make a 3D character of a drawing");
   add_shared_options(verb, call->shared);
-  verb.add_option("--thickness", call->thickness,
-                  "Of all layers: 2 makes limbs round, 4 makes a disc a ball (2)")
-      ->type_name("0.1..32");
-  verb.add_option("--density", call->density, "Triangles per area, relative to the default (1)")
-      ->type_name("0.1..10");
-  add_choice<OpenRuns>(
-      verb, "--open", call->open,
-      {{"joined", OpenRuns::Joined}, {"capped", OpenRuns::Capped}, {"holes", OpenRuns::Holes}},
-      "Open ends join other layers, end flat, or stay open where nothing is");
-  add_simplify_options(verb, call->words);
+  add_inflate_options(verb, call->words);
   return {&verb, [call] { return run_inflate_verb(*call); }};
 }
 

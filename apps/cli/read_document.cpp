@@ -79,10 +79,4 @@ SketchSource sketch_source(ReadDocument const& document) {
   return document.project.drawing.sketch;
 }
 
-Result<Drawing> closed_drawing(ReadDocument const& document, RunSimplifyOptions const& options,
-                               Progress const& progress) {
-  if (has_layers(document)) return document.project.drawing;
-  return run_simplify(sketch_source(document), options, progress);
-}
-
 }  // namespace inkflate::cli

@@ -34,10 +34,4 @@ bool has_layers(ReadDocument const& document);
 /// What simplify starts from.
 SketchSource sketch_source(ReadDocument const& document);
 
-/// Its contours: those that it has, or else what simplify makes of it.
-///
-/// errors  those of run_simplify
-Result<Drawing> closed_drawing(ReadDocument const& document, RunSimplifyOptions const& options,
-                               Progress const& progress = {});
-
 }  // namespace inkflate::cli

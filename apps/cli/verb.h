@@ -34,6 +34,8 @@ struct Verb {
 Verb declare_simplify(CLI::App& program);
 Verb declare_inflate(CLI::App& program);
 Verb declare_render(CLI::App& program);
+Verb declare_convert(CLI::App& program);
+Verb declare_info(CLI::App& program);
 Verb declare_check(CLI::App& program);
 
 }  // namespace inkflate::cli

@@ -13,6 +13,9 @@ namespace {
 // that the pen left in an outline is much smaller than the part.
 constexpr double kLeastShareOfWidth = 0.5;
 
+// And of the root of the part's area: even the mouth of a limb twenty times as long as it is wide is larger.
+constexpr double kLeastShareOfSize = 0.15;
+
 // A closing beside a help line that is shorter than this share of it only bridges the way to the ink.
 constexpr double kBridgeShare = 0.5;
 
@@ -41,8 +44,9 @@ Opening opening_of(RunKind kind, Polyline const& line, Contour const& outline) {
   if (kind == RunKind::HelpLine) return Opening::Wanted;
   if (kind == RunKind::Ink) return Opening::None;
   double const gap = distance(line.front(), line.back());
-  return gap >= kLeastShareOfWidth * width_at_middle(line, outline) ? Opening::Possible
-                                                                    : Opening::None;
+  bool const is_mouth = gap >= kLeastShareOfSize * std::sqrt(std::abs(signed_area(outline))) &&
+                        gap >= kLeastShareOfWidth * width_at_middle(line, outline);
+  return is_mouth ? Opening::Possible : Opening::None;
 }
 
 /// Closings that only lead from the ink to a help line belong to it.

@@ -42,4 +42,8 @@ void add_order_rules(FlatModel const& model, std::span<LayerShape const> shapes,
 void add_joint_rules(FlatModel const& model, std::span<LayerShape const> shapes, double weight,
                      std::vector<DepthRule>& rules);
 
+/// Rules that keep every layer from rising more steeply than a limb can bend, whatever the other rules want.
+void add_slope_rules(std::span<LayerShape const> shapes, double weight,
+                     std::vector<DepthRule>& rules);
+
 }  // namespace inkflate

@@ -13,7 +13,7 @@ constexpr double kGoodEnoughPx = 0.01;
 
 /// Twenty rounds are usual; this many end the work should layers be tangled beyond all reason.
 constexpr int kMostRounds = 400;
-constexpr int kMostPushing = 1500;
+constexpr int kMostPushing = 1000;
 
 constexpr std::size_t kSolvedAtOnce = 16;
 

@@ -2,32 +2,30 @@
 #include "inflate/layer_depths.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "base/check.h"
-#include "geometry/polyline.h"
 #include "inflate/depth_rules.h"
 #include "inflate/depth_solve.h"
+#include "inflate/point_areas.h"
 
 namespace inkflate {
 namespace {
 
-/// Violations of rules count this much, per model size squared.
-constexpr double kRuleWeight = 1e8;
+/// What a squared px of a broken rule costs, per model size squared: about a million times what bending costs, so that rules hold to
+/// a hundredth of a px where they can. Where joints and order want what cannot be, the joints win.
+constexpr double kOrderWeight = 1e7;
+constexpr double kJointWeight = 1e8;
 
-/// A limb: legs stay side by side instead of leaning to the middle.
-PlateStiffness stiffness_of_limb(double model_size) {
-  double const area = model_size * model_size;
-  return {1, 16 / area, 0.16 / (area * area)};
-}
-
-/// A layer that no joint holds. Large ones stay where they are and upright; small ones, as eyes are, give way and tilt to follow what
-/// they lie on.
-PlateStiffness stiffness_of_body(double layer_size, double model_size) {
+/// Stiffness grows with the square of a layer's size: where two push each other, the small one gives way.
+PlateStiffness stiffness_of(double layer_size, double model_size, bool is_limb) {
   double const area = model_size * model_size;
   double const share = layer_size * layer_size / area;
-  double const pull = 1600 / (area * area);
-  return {100 * share, 10 * pull * area * share * share * share, pull * share};
+  // A limb is held by its joint and only has to be kept from leaning: legs stay side by side.
+  if (is_limb) return {10 * share, 160 * share / area, 1.6 * share / (area * area)};
+  // What no joint holds is drawn back to the middle. If large it stays upright; if small, as an eye is, it tilts to lie on what is
+  // behind it.
+  double const pull = 1600 * share / (area * area);
+  return {100 * share, 10 * pull * area * share * share, pull};
 }
 
 double model_size(FlatModel const& model) {
@@ -38,19 +36,34 @@ double model_size(FlatModel const& model) {
   return std::max(box.longer_side(), 1.0);
 }
 
-std::vector<double> masses_of(FlatMesh const& mesh) {
-  std::vector<double> masses(mesh.points.size(), 0);
-  for (auto const& t : mesh.triangles) {
-    Vec2 const a = mesh.points[t[0]];
-    double const area = cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a) / 2;
-    for (int const v : t) masses[v] += area / 3;
-  }
-  return masses;
-}
-
 bool is_limb(FlatModel const& model, int layer) {
   return std::any_of(model.joints.begin(), model.joints.end(),
                      [&](Joint const& joint) { return joint.limb == layer; });
+}
+
+std::vector<LayerShape> shapes_of(FlatModel const& model,
+                                  std::span<std::vector<double> const> heights) {
+  std::vector<LayerShape> shapes;
+  int next = 0;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    auto const& layer = model.layers[i];
+    shapes.push_back(
+        {layer.mesh, layer.kinds, heights[i], TriangleGrid(layer.mesh), Plate(layer.mesh, next)});
+    next += shapes.back().plate.unknown_count();
+  }
+  return shapes;
+}
+
+std::vector<MatrixEntry> energy_of(FlatModel const& model, std::span<LayerShape const> shapes,
+                                   double size) {
+  std::vector<MatrixEntry> energy;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    auto const& shape = shapes[i];
+    auto const stiffness =
+        stiffness_of(shape.grid.box().longer_side(), size, is_limb(model, static_cast<int>(i)));
+    shape.plate.add_energy(shape.mesh, point_areas(shape.mesh), stiffness, energy);
+  }
+  return energy;
 }
 
 }  // namespace
@@ -58,30 +71,18 @@ bool is_limb(FlatModel const& model, int layer) {
 std::vector<std::vector<double>> layer_depths(FlatModel const& model,
                                               std::span<std::vector<double> const> heights) {
   CHECK(heights.size() == model.layers.size(), "heights for each layer");
+  auto const shapes = shapes_of(model, heights);
+  double const size = model_size(model);
+  std::vector<DepthRule> rules;
+  add_joint_rules(model, shapes, kJointWeight / (size * size), rules);
+  add_order_rules(model, shapes, kOrderWeight / (size * size), rules);
   std::vector<std::vector<double>> depths;
   for (auto const& h : heights) depths.emplace_back(h.size(), 0.0);
-  std::vector<LayerShape> shapes;
-  int unknown_count = 0;
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    auto const& layer = model.layers[i];
-    shapes.push_back({layer.mesh, layer.kinds, heights[i], TriangleGrid(layer.mesh),
-                      Plate(layer.mesh, unknown_count)});
-    unknown_count += shapes.back().plate.unknown_count();
-  }
-  double const size = model_size(model);
-  double const area = size * size;
-  std::vector<DepthRule> rules;
-  add_joint_rules(model, shapes, kRuleWeight / area, rules);
-  add_order_rules(model, shapes, kRuleWeight / area, rules);
   if (rules.empty()) return depths;
-  std::vector<MatrixEntry> energy;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    auto const stiffness = is_limb(model, static_cast<int>(i))
-                               ? stiffness_of_limb(size)
-                               : stiffness_of_body(shapes[i].grid.box().longer_side(), size);
-    shapes[i].plate.add_energy(shapes[i].mesh, masses_of(shapes[i].mesh), stiffness, energy);
-  }
-  auto const unknowns = solve_depths(unknown_count, std::move(energy), rules);
+  add_slope_rules(shapes, kJointWeight / (size * size), rules);
+  int unknown_count = 0;
+  for (auto const& shape : shapes) unknown_count += shape.plate.unknown_count();
+  auto const unknowns = solve_depths(unknown_count, energy_of(model, shapes, size), rules);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     for (std::size_t v = 0; v < depths[i].size(); ++v) {
       depths[i][v] = shapes[i].plate.depth(shapes[i].mesh.points[v])(unknowns);

@@ -5,30 +5,18 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "inflate/point_areas.h"
 #include "solvers/sparse_cholesky.h"
 
 namespace inkflate {
 namespace {
 
-/// The least u of a vertex that is not drawn, as a share of its c * mass: far below what the equation gives, but never 0, since
+/// The least u of a vertex that is not drawn, as a share of its c * area: far below what the equation gives, but never 0, since
 /// the two sheets may not touch there.
 constexpr double kLeastShare = 0.01;
 
 /// A sliver's cotangents are cut at this: beyond it they only spoil the numbers.
 constexpr double kLargestCotangent = 1e4;
-
-double area(FlatMesh const& mesh, Triangle const& t) {
-  return cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]) / 2;
-}
-
-/// A third of the area of each triangle to each of its corners.
-std::vector<double> lumped_masses(FlatMesh const& mesh) {
-  std::vector<double> masses(mesh.points.size(), 0);
-  for (auto const& t : mesh.triangles) {
-    for (int const v : t) masses[v] += area(mesh, t) / 3;
-  }
-  return masses;
-}
 
 /// Of the angle at a triangle's corner.
 double cotangent(Vec2 corner, Vec2 b, Vec2 c) {
@@ -40,11 +28,11 @@ double cotangent(Vec2 corner, Vec2 b, Vec2 c) {
 
 /// Vertices that are not drawn get numbers, in order; the others -1, as do points that no triangle uses.
 std::vector<int> number_free(std::vector<VertexKind> const& kinds,
-                             std::vector<double> const& masses) {
+                             std::vector<double> const& areas) {
   std::vector<int> numbers(kinds.size(), -1);
   int next = 0;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (kinds[i] != VertexKind::Drawn && masses[i] > 0) numbers[i] = next++;
+    if (kinds[i] != VertexKind::Drawn && areas[i] > 0) numbers[i] = next++;
   }
   return numbers;
 }
@@ -73,11 +61,11 @@ std::vector<MatrixEntry> laplacian(FlatMesh const& mesh, std::vector<int> const&
 
 std::vector<double> layer_heights(FlatLayer const& layer) {
   CHECK(layer.kinds.size() == layer.mesh.points.size(), "a kind for each point");
-  auto const masses = lumped_masses(layer.mesh);
-  auto const numbers = number_free(layer.kinds, masses);
+  auto const areas = point_areas(layer.mesh);
+  auto const numbers = number_free(layer.kinds, areas);
   std::vector<double> least;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (numbers[i] >= 0) least.push_back(layer.thickness * masses[i]);
+    if (numbers[i] >= 0) least.push_back(layer.thickness * areas[i]);
   }
   auto u = least;
   auto const solver =

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kCellsAlong = 8;
 constexpr double kSmallestCellPx = 8;
-constexpr double kLargestCellPx = 64;
 
 /// Keeps a node that no difference reaches from being undetermined; relative to bending.
 constexpr double kLeastDiagonal = 1e-9;
@@ -45,12 +44,11 @@ void add_square(std::initializer_list<Term> terms, double weight,
 
 Plate::Plate(FlatMesh const& mesh, int first) : first_(first) {
   auto const box = bounds(mesh.points);
-  cell_px_ = std::clamp(std::max(box.width(), box.height()) / kCellsAlong, kSmallestCellPx,
-                        kLargestCellPx);
+  cell_px_ = std::max(box.longer_side() / kCellsAlong, kSmallestCellPx);
   columns_ = std::max(1, static_cast<int>(std::ceil(box.width() / cell_px_)));
   rows_ = std::max(1, static_cast<int>(std::ceil(box.height() / cell_px_)));
   // Centred, so that a mirrored layer gets a mirrored lattice.
-  origin_ = (box.min + box.max) / 2 - Vec2{columns_ * cell_px_, rows_ * cell_px_} / 2;
+  origin_ = box.centre() - Vec2{columns_ * cell_px_, rows_ * cell_px_} / 2;
   std::vector<char> is_used(static_cast<std::size_t>(columns_ + 2) * (rows_ + 2), 0);
   auto const cell = [&](double v, double from, int count) {
     return std::clamp(static_cast<int>((v - from) / cell_px_), 0, count - 1);
@@ -75,6 +73,18 @@ Plate::Plate(FlatMesh const& mesh, int first) : first_(first) {
 int Plate::node_at(int x, int y) const {
   if (x < 0 || y < 0 || x >= columns_ + 2 || y >= rows_ + 2) return -1;
   return nodes_[y * (columns_ + 2) + x];
+}
+
+std::vector<Vec2> Plate::cell_centres() const {
+  std::vector<Vec2> result;
+  for (int y = 0; y < rows_; ++y) {
+    for (int x = 0; x < columns_; ++x) {
+      bool is_used = true;
+      for (int k = 0; k < 9; ++k) is_used = is_used && node_at(x + k % 3, y + k / 3) >= 0;
+      if (is_used) result.push_back(origin_ + Vec2{x + 0.5, y + 0.5} * cell_px_);
+    }
+  }
+  return result;
 }
 
 PlateRow Plate::row(Vec2 p, Vec2 direction) const {
@@ -129,15 +139,15 @@ void Plate::add_slopes(double weight, std::vector<MatrixEntry>& entries) const {
   }
 }
 
-void Plate::add_energy(FlatMesh const& mesh, std::vector<double> const& masses,
+void Plate::add_energy(FlatMesh const& mesh, std::vector<double> const& point_areas,
                        PlateStiffness const& stiffness, std::vector<MatrixEntry>& entries) const {
   add_bending(stiffness.bending, entries);
   if (stiffness.slope > 0) add_slopes(stiffness.slope, entries);
   // The coefficients of a plane are its depths at the nodes, so pulling them pulls the plate.
   std::vector<double> areas(unknown_count_, 0);
-  for (std::size_t i = 0; i < masses.size(); ++i) {
+  for (std::size_t i = 0; i < point_areas.size(); ++i) {
     auto const at = depth(mesh.points[i]);
-    for (int k = 0; k < 9; ++k) areas[at.nodes[k] - first_] += masses[i] * at.weights[k];
+    for (int k = 0; k < 9; ++k) areas[at.nodes[k] - first_] += point_areas[i] * at.weights[k];
   }
   for (int i = 0; i < unknown_count_; ++i) {
     entries.push_back({first_ + i, first_ + i, stiffness.pull * areas[i]});

@@ -37,6 +37,10 @@ class Plate {
   /// Numbers its unknowns from first on. mesh: at least one triangle.
   Plate(FlatMesh const& mesh, int first);
 
+  double cell_px() const { return cell_px_; }
+  /// Of the cells that the mesh touches.
+  std::vector<Vec2> cell_centres() const;
+
   int unknown_count() const { return unknown_count_; }
 
   /// The depth at a point of the mesh; a point outside is moved to the nearest cell of the lattice.
@@ -45,8 +49,8 @@ class Plate {
   PlateRow slope(Vec2 p, Vec2 direction) const { return row(p, direction); }
 
   /// The quadratic form of its energy, as P-splines take it: differences of the coefficients instead of derivatives.
-  /// masses: the area that belongs to each point
-  void add_energy(FlatMesh const& mesh, std::vector<double> const& masses,
+  /// point_areas: of the mesh
+  void add_energy(FlatMesh const& mesh, std::vector<double> const& point_areas,
                   PlateStiffness const& stiffness, std::vector<MatrixEntry>& entries) const;
 
  private:

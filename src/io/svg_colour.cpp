@@ -228,4 +228,14 @@ std::optional<Colour> parse_colour(std::string_view text) {
   return is_known ? std::optional(colour_of(found->rgb)) : std::nullopt;
 }
 
+std::string colour_hex(Colour colour) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text = "#";
+  for (auto const channel : {colour.r, colour.g, colour.b, colour.a}) {
+    text += digits[channel / 16U];
+    text += digits[channel % 16U];
+  }
+  return text;
+}
+
 }  // namespace inkflate

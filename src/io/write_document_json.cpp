@@ -5,20 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/svg_colour.h"
+
 namespace inkflate {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json hex(Colour colour) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text = "#";
-  for (auto const channel : {colour.r, colour.g, colour.b, colour.a}) {
-    text += digits[channel / 16U];
-    text += digits[channel % 16U];
-  }
-  return text;
-}
 
 // One number for each sample; left out where all are what the reader takes without them.
 void put_per_sample(Json& json, char const* name, std::vector<Sample> const& samples,
@@ -40,7 +32,7 @@ Json stroke_json(Stroke const& stroke) {
   Json json;
   json["kind"] = word(stroke.kind);
   json["width"] = stroke.width_px;
-  json["colour"] = hex(stroke.colour);
+  json["colour"] = colour_hex(stroke.colour);
   if (stroke.group >= 0) json["group"] = stroke.group;
   json["positions"] = std::move(positions);
   put_per_sample(json, "pressures", stroke.samples, &Sample::pressure, 1);
@@ -83,7 +75,7 @@ Json outline_json(Outline const& outline) {
 Json look_json(std::string const& name, std::optional<Colour> const& fill, double thickness) {
   Json json;
   json["name"] = name;
-  if (fill) json["fill"] = hex(*fill);
+  if (fill) json["fill"] = colour_hex(*fill);
   json["thickness"] = thickness;
   return json;
 }

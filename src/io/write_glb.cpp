@@ -11,6 +11,7 @@
 #include "io/model_units.h"
 #include "io/put_bytes.h"
 #include "io/write_png.h"
+#include "mesh/check_mesh.h"
 
 namespace inkflate {
 namespace {
@@ -154,13 +155,16 @@ Json layers_json(RestModel const& model) {
   return layers;
 }
 
-Json material_json(bool has_texture) {
+Json material_json(bool has_texture, bool is_closed) {
   Json surface;
   if (has_texture) surface["baseColorTexture"] = {{"index", 0}};
   if (!has_texture) surface["baseColorFactor"] = kClayColour;
   surface["metallicFactor"] = 0;
   surface["roughnessFactor"] = kRoughness;
-  return {{"name", has_texture ? "drawing" : "clay"}, {"pbrMetallicRoughness", surface}};
+  Json material = {{"name", has_texture ? "drawing" : "clay"}, {"pbrMetallicRoughness", surface}};
+  // Through an open end the inside is seen.
+  if (!is_closed) material["doubleSided"] = true;
+  return material;
 }
 
 void add_texture(Json& root, Store& store, Texture const& texture) {
@@ -218,7 +222,8 @@ std::vector<std::byte> write_glb(RestModel const& model, Texture const* texture,
   root["scenes"] = {{{"nodes", {0}}}};
   root["nodes"] = {{{"name", name}, {"mesh", 0}}};
   root["meshes"] = Json::array({std::move(mesh)});
-  root["materials"] = Json::array({material_json(texture != nullptr)});
+  root["materials"] =
+      Json::array({material_json(texture != nullptr, check_mesh(model.mesh).is_closed())});
   if (texture != nullptr) add_texture(root, store, *texture);
   root["accessors"] = std::move(store.accessors);
   root["bufferViews"] = std::move(store.views);

@@ -52,8 +52,12 @@ void append_face(std::string& text, Triangle const& triangle, Triangle const* pl
   text += 'f';
   for (std::size_t c = 0; c < 3; ++c) {
     auto const vertex = std::to_string(triangle[c] + 1);
-    auto const place = places != nullptr ? std::to_string((*places)[c] + 1) : std::string();
-    text += ' ' + vertex + '/' + place + '/' + vertex;
+    text += ' ';
+    text += vertex;
+    text += '/';
+    if (places != nullptr) text += std::to_string((*places)[c] + 1);
+    text += '/';
+    text += vertex;
   }
   text += '\n';
 }

@@ -2,12 +2,11 @@
 #include "io/write_svg.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <span>
 
 #include "io/numbers.h"
 #include "io/own_svg.h"
+#include "io/svg_colour.h"
 #include "io/xml_text.h"
 
 namespace inkflate {
@@ -65,11 +64,7 @@ void append_indices(std::string& text, std::string_view name, std::vector<int> c
 }
 
 // #rrggbb, as every program knows it.
-std::string opaque_hex(Colour c) {
-  std::array<char, 8> hex = {};
-  std::snprintf(hex.data(), hex.size(), "#%02x%02x%02x", c.r, c.g, c.b);
-  return hex.data();
-}
+std::string opaque_hex(Colour colour) { return colour_hex(colour).substr(0, 7); }
 
 // name is "stroke" or "fill".
 void append_paint(std::string& text, std::string const& name, Colour colour) {
@@ -86,11 +81,7 @@ void append_pen(std::string& text, Stroke const& stroke) {
 
 // Of a group or a layer, exactly.
 void append_look(std::string& text, std::optional<Colour> const& fill, double thickness) {
-  if (fill) {
-    std::array<char, 3> alpha = {};
-    std::snprintf(alpha.data(), alpha.size(), "%02x", fill->a);
-    append_text_attribute(text, "inkflate:fill", opaque_hex(*fill) + alpha.data());
-  }
+  if (fill) append_text_attribute(text, "inkflate:fill", colour_hex(*fill));
   append_number_attribute(text, "inkflate:thickness", thickness);
 }
 

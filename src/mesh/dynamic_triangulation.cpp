@@ -121,8 +121,8 @@ DynamicTriangulation::Place DynamicTriangulation::place_in(int t, Vec2 p) const 
 }
 
 DynamicTriangulation::Place DynamicTriangulation::locate(Vec2 p, int from_triangle) const {
-  // A walk may go in circles where the triangles are not Delaunay; then it is cut short.
-  int const most_steps = 50 + 3 * static_cast<int>(std::sqrt(triangle_count()));
+  // Walks are short; but where the triangles are not quite Delaunay one may go in circles.
+  int const most_steps = 50 + triangle_count();
   int t = from_triangle;
   for (int step = 0; step < most_steps; ++step) {
     int crossing = -1;

@@ -25,7 +25,8 @@ struct RimSpacingOptions {
 std::vector<std::vector<double>> rim_spacing(std::span<Contour const> contours,
                                              RimSpacingOptions const& options = {});
 
-/// Points along a line, about as far apart as wanted there. The first and the last point stay what they are.
+/// Points along a line, about as far apart as wanted there. The first and the last point stay what they are, and so do corners: where
+/// the line turns by more than about 30 degrees within one spacing.
 ///
 /// in      line: at least two points; spacing: one length > 0 per point, interpolated between them
 /// out     at least two points, and at least four where the line is closed (last == first)

@@ -2,6 +2,8 @@
 #include "model/drawing.h"
 
 #include <iterator>
+#include <map>
+#include <utility>
 
 namespace inkflate {
 
@@ -9,6 +11,31 @@ Contour flatten(Outline const& outline, double tolerance_px) {
   Contour contour;
   for (auto const& piece : outline.pieces) flatten_into(piece.curve, tolerance_px, contour);
   return contour;
+}
+
+void duplicate_behind(Drawing& drawing, int layer) {
+  auto copy = drawing.layers[layer];
+  copy.name += " copy";
+  auto& sketch = drawing.sketch;
+  int const group = static_cast<int>(std::ssize(sketch.groups));
+  sketch.groups.push_back({copy.name, copy.fill, copy.thickness});
+  std::map<int, int> copies;
+  auto const copy_stroke = [&](int& stroke) {
+    auto const [entry, is_new] =
+        copies.try_emplace(stroke, static_cast<int>(std::ssize(sketch.strokes)));
+    if (is_new) {
+      auto own = sketch.strokes[stroke];
+      own.group = group;
+      sketch.strokes.push_back(std::move(own));
+    }
+    stroke = entry->second;
+  };
+  for (int& stroke : copy.strokes) copy_stroke(stroke);
+  for (int& stroke : copy.details) copy_stroke(stroke);
+  for (auto& outline : copy.outlines) {
+    for (auto& source : outline.sources) copy_stroke(source.stroke);
+  }
+  drawing.layers.insert(drawing.layers.begin(), std::move(copy));
 }
 
 std::vector<Run> runs(Outline const& outline, double tolerance_px) {

@@ -70,6 +70,10 @@ struct Drawing {
   friend bool operator==(Drawing const&, Drawing const&) = default;
 };
 
+/// Puts a copy of a layer behind all others, named "NAME copy": the far leg of a pair. Its strokes are copied too, into a group
+/// of their own.
+void duplicate_behind(Drawing& drawing, int layer);
+
 /// A maximal stretch of one kind, as points. A run that is a whole outline starts and ends at the same point.
 struct Run {
   RunKind kind = RunKind::Ink;

@@ -49,6 +49,7 @@ Capacities weigh(Cells const& cells, CutOptions const& options) {
     double const length = cells.length_px(e);
     auto& terminal = capacities.terminals[e / 3];
     if (cells.is_ink(e)) {
+      if (cells.is_chord(e)) continue;
       terminal.source += static_cast<std::int32_t>(ink_weight * length + 0.5);
       continue;
     }

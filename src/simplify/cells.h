@@ -23,6 +23,11 @@ struct Cells {
   /// The half-edge on the other side; -1 on the hull.
   int twin(int half_edge) const { return mesh.twins[half_edge]; }
   bool is_ink(int half_edge) const { return squared_lengths[half_edge] <= longest_ink_squared; }
+  /// Whether it lies on a chord: an outline along it costs nothing.
+  bool is_chord(int half_edge) const {
+    return samples.is_chord(corner(half_edge)) ||
+           samples.is_chord(corner(next_half_edge(half_edge)));
+  }
   /// Work px.
   double length_px(int half_edge) const {
     return std::sqrt(static_cast<double>(squared_lengths[half_edge])) / WorkSpace::kLatticePerPx;

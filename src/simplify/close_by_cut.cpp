@@ -1,156 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cmath>
-
-#include "simplify/carve_holes.h"
-#include "simplify/cell_cut.h"
-#include "simplify/centre_rim.h"
 #include "simplify/close_strokes.h"
-#include "simplify/fit_rims.h"
-#include "simplify/prune_whiskers.h"
+#include "simplify/cut_parts.h"
 
 namespace inkflate {
-namespace {
-
-// Distance of samples, work px. Half of it changes no result that a person sees, twice of it opens small gaps.
-constexpr double kSpacingPx = 2.5;
-
-// What is nowhere wider is a line, not a shape, work px: about three times the width of a pencil line.
-constexpr double kWhiskerPx = 7;
-
-// A piece with less than this share of the largest one's area is a speck.
-constexpr double kLeastShare = 0.01;
-
-/// An outer rim and the holes in it.
-struct Part {
-  int outer;
-  std::vector<int> holes;
-  double area_px2;
-};
-
-/// Whether a hole lies in an outer rim. They may share a corner, so no single one decides.
-bool holds(Contour const& outer, Contour const& hole) {
-  auto const third = hole.size() / 3;
-  int within = 0;
-  for (auto const corner : {hole[0], hole[third], hole[2 * third]})
-    within += contains(outer, corner) ? 1 : 0;
-  return within >= 2;
-}
-
-/// Sorts rims into parts, largest first. A hole belongs to the smallest outer rim around it.
-std::vector<Part> nest(std::vector<Contour> const& contours) {
-  std::vector<Part> parts;
-  std::vector<int> holes;
-  for (int r = 0; r < std::ssize(contours); ++r) {
-    double const area = signed_area(contours[r]);
-    if (area > 0) {
-      parts.push_back({r, {}, area});
-    } else if (area < 0) {
-      holes.push_back(r);
-    }
-  }
-  std::stable_sort(parts.begin(), parts.end(),
-                   [](Part const& a, Part const& b) { return a.area_px2 > b.area_px2; });
-  for (int const hole : holes) {
-    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-      if (part->area_px2 > -signed_area(contours[hole]) &&
-          holds(contours[part->outer], contours[hole])) {
-        part->holes.push_back(hole);
-        break;
-      }
-    }
-  }
-  return parts;
-}
-
-Error cancelled() { return {ErrorCode::Cancelled, "stopped on request"}; }
-
-CutOptions cut_options(SimplifyOptions const& options, WorkSpace const& space) {
-  CutOptions cut;
-  if (options.gap_px) cut.gap_px = *options.gap_px * space.to_work;
-  for (auto const mark : options.outside) cut.outside.push_back(space.work_point(mark));
-  for (auto const mark : options.inside) cut.inside.push_back(space.work_point(mark));
-  return cut;
-}
-
-/// The mean width of what a contour encloses: a long band of width w has area w L and perimeter 2 L.
-double mean_width(Contour const& contour) {
-  return 2 * std::abs(signed_area(contour)) / perimeter(contour);
-}
-
-/// The rims of everything that is wider than a line.
-std::vector<Rim> wide_rims(std::vector<Rim> const& traced, StrokeSamples const& samples) {
-  std::vector<Rim> rims;
-  for (auto const& rim : traced) {
-    auto pruned = prune_whiskers(rim, samples, kWhiskerPx);
-    if (!pruned.empty()) rims.push_back(std::move(pruned));
-  }
-  return rims;
-}
-
-/// The parts that are no specks, as the options want them.
-std::vector<Part> choose_parts(std::vector<Rim> const& rims, StrokeSamples const& samples,
-                               Parts wanted) {
-  std::vector<Contour> contours;
-  for (auto const& rim : rims) contours.push_back(positions(rim, samples));
-  auto parts = nest(contours);
-  if (parts.empty()) return parts;
-  double const least = kLeastShare * parts.front().area_px2;
-  std::erase_if(parts, [&](Part const& part) {
-    return part.area_px2 < least || mean_width(contours[part.outer]) < kWhiskerPx;
-  });
-  if (wanted == Parts::One && !parts.empty()) parts.resize(1);
-  return parts;
-}
-
-}  // namespace
 
 Result<std::vector<Layer>> close_by_cut(Sketch const& sketch, std::span<int const> chosen,
                                         WorkSpace const& space, SimplifyOptions const& options,
                                         Progress const& progress) {
-  if (!progress.enter("sample")) return cancelled();
-  auto sampled = sample_strokes(sketch, chosen, space, kSpacingPx);
-  if (!progress.enter("triangulate")) return cancelled();
-  auto const cells = make_cells(std::move(sampled));
-  auto const& samples = cells.samples;
-  if (!progress.enter("cut")) return cancelled();
-  auto const cut = cut_options(options, space);
-  auto inside = label_cells(cells, cut);
-  if (!inside) return inside.error();
-  if (options.holes == Holes::Keep) {
-    if (!progress.enter("holes")) return cancelled();
-    std::vector<int> kept;
-    for (auto const mark : cut.inside) kept.push_back(find_cell(cells, mark));
-    inside = carve_holes(cells, *std::move(inside), kept);
-  }
-
-  if (!progress.enter("trace")) return cancelled();
-  auto const traced = wide_rims(trace_rims(sketch, cells, *inside), samples);
-  auto const parts = choose_parts(traced, samples, options.parts);
-
-  if (!progress.enter("centre")) return cancelled();
-  std::vector<Rim> rims;
-  for (auto const& part : parts) {
-    rims.push_back(traced[part.outer]);
-    for (int const hole : part.holes) rims.push_back(traced[hole]);
-  }
-  std::vector<Vec2> points;
-  points.reserve(samples.points.size());
-  for (auto const& sample : samples.points) points.push_back(sample.position);
-  PointGrid const grid(points, CentreOptions{}.reach_px);
-  std::vector<Contour> centred;
-  for (auto const& rim : rims) centred.push_back(centre_rim(rim, samples, grid));
-
-  if (!progress.enter("fit")) return cancelled();
-  auto outlines = fit_rims(rims, centred, samples, space, options.smooth);
-  std::vector<Layer> layers;
-  for (std::size_t next = 0; auto const& part : parts) {
-    Layer layer;
-    for (std::size_t k = 0; k <= part.holes.size(); ++k)
-      layer.outlines.push_back(std::move(outlines[next++]));
-    layers.push_back(std::move(layer));
-  }
-  return layers;
+  if (!progress.enter("sample")) return Error{ErrorCode::Cancelled, "stopped on request"};
+  auto const cut = cut_parts(sketch, sample_strokes(sketch, chosen, space, kCutSpacingPx), space,
+                             options, progress);
+  if (!cut) return cut.error();
+  return fit_parts(*cut, space, options.smooth, progress);
 }
 
 }  // namespace inkflate

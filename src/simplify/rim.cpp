@@ -33,7 +33,10 @@ class EdgeKinds {
   }
 
  private:
-  bool is_help(int sample) const { return is_help_[cells_->samples.points[sample].stroke] != 0; }
+  bool is_help(int sample) const {
+    auto const& samples = cells_->samples;
+    return !samples.is_chord(sample) && is_help_[samples.points[sample].stroke] != 0;
+  }
 
   Cells const* cells_;
   std::vector<std::uint8_t> is_help_;  // per stroke

@@ -7,6 +7,7 @@
 
 #include "simplify/close_strokes.h"
 #include "simplify/faint_strokes.h"
+#include "simplify/limb_mouths.h"
 #include "simplify/sort_strokes.h"
 
 namespace inkflate {
@@ -141,6 +142,12 @@ std::vector<int> without(std::vector<bool> const& is_faint, std::vector<int> str
   return strokes;
 }
 
+/// Gives the strokes of a group to its layers.
+void sort_group(Sketch const& sketch, WorkSpace const& space, GroupShapes& group) {
+  auto const samples = sample_strokes(sketch, group.strokes, space, kSortSpacingPx);
+  group.stray = sort_strokes(samples, space, group.layers);
+}
+
 }  // namespace
 
 Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
@@ -153,9 +160,10 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
   auto const sorting = sorting_space(space, options.method);
   auto const is_faint = faint_strokes(sketch);
   Drawing drawing = {sketch, {}, {}};
-  for (auto const& strokes : strokes_to_close(sketch, options.parts)) {
+  std::vector<GroupShapes> groups;
+  for (auto& strokes : strokes_to_close(sketch, options.parts)) {
     if (is_left_out(sketch, strokes, options.parts)) {
-      drawing.stray.insert(drawing.stray.end(), strokes.begin(), strokes.end());
+      groups.push_back({{}, {}, std::move(strokes)});
       continue;
     }
     auto layers = options.method == SimplifyMethod::Grid
@@ -163,11 +171,18 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
                       : close_by_cut(sketch, without(is_faint, strokes), space, options, progress);
     if (!layers) return layers.error();
     if (!progress.enter("sort")) return Error{ErrorCode::Cancelled, "stopped on request"};
-    auto const samples = sample_strokes(sketch, strokes, sorting, kSortSpacingPx);
-    auto const stray = sort_strokes(samples, sorting, *layers);
-    drawing.stray.insert(drawing.stray.end(), stray.begin(), stray.end());
-    name_layers(sketch, strokes, *layers);
-    for (auto& layer : *layers) drawing.layers.push_back(std::move(layer));
+    groups.push_back({std::move(strokes), *std::move(layers), {}});
+    sort_group(sketch, sorting, groups.back());
+  }
+  if (options.method == SimplifyMethod::Cut) {
+    auto const changed = close_limb_mouths(sketch, is_faint, space, options, progress, groups);
+    if (!changed) return changed.error();
+    for (int const g : *changed) sort_group(sketch, sorting, groups[g]);
+  }
+  for (auto& group : groups) {
+    drawing.stray.insert(drawing.stray.end(), group.stray.begin(), group.stray.end());
+    name_layers(sketch, group.strokes, group.layers);
+    for (auto& layer : group.layers) drawing.layers.push_back(std::move(layer));
   }
   if (drawing.layers.empty()) {
     return Error{

@@ -24,7 +24,7 @@ enum class Parts {
   One,     // the largest silhouette
   All,     // every separate piece
   Groups,  // each group of strokes by itself: a layer for each, or for each separate piece of it; see
-           // is_candidate_layer
+  // is_candidate_layer. Limbs that are open towards the layer of another group are closed there (limb_mouths.h)
 };
 
 struct SimplifyOptions {

@@ -120,4 +120,16 @@ StrokeSamples sample_strokes(Sketch const& sketch, std::span<int const> chosen,
   return result;
 }
 
+void append_chord(Chord const& chord, int stroke, StrokeSamples& samples) {
+  double const size = distance(chord.from, chord.to);
+  int const steps = static_cast<int>(std::ceil(size / samples.spacing_px));
+  for (int k = 1; k < steps; ++k) {
+    auto const p = lerp(chord.from, chord.to, static_cast<double>(k) / steps);
+    samples.points.push_back(
+        {p, (chord.to - chord.from) / size, static_cast<double>(k) / steps, stroke});
+    samples.lattice.push_back(WorkSpace::lattice_point(p));
+    ++samples.chord_count;
+  }
+}
+
 }  // namespace inkflate

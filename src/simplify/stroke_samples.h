@@ -22,6 +22,16 @@ struct StrokeSamples {
   std::vector<StrokeSample> points;   // stroke by stroke, in stroke order
   std::vector<LatticePoint> lattice;  // the same points, rounded
   double spacing_px = 0;  // consecutive points of a stroke are at most this far apart, work px
+  int chord_count = 0;    // so many of the last points lie on chords, which no one has drawn
+
+  int drawn_count() const { return static_cast<int>(points.size()) - chord_count; }
+  bool is_chord(int sample) const { return sample >= drawn_count(); }
+};
+
+/// A straight line along which a shape may be closed for nothing, work px.
+struct Chord {
+  Vec2 from;
+  Vec2 to;
 };
 
 /// Resamples strokes so that no step is longer than spacing_px. Corners between longer steps (polygons, say) stay.
@@ -31,5 +41,10 @@ struct StrokeSamples {
 /// cost    O(samples in + samples out)
 StrokeSamples sample_strokes(Sketch const& sketch, std::span<int const> chosen,
                              WorkSpace const& space, double spacing_px);
+
+/// Appends samples between the ends of a chord, as of a stroke that follows all others.
+///
+/// in      stroke: above the index of every stroke of the sketch
+void append_chord(Chord const& chord, int stroke, StrokeSamples& samples);
 
 }  // namespace inkflate

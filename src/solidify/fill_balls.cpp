@@ -15,18 +15,19 @@ constexpr double kOpposedInFull = 0.4;
 constexpr double kOpposed = 0.2;
 // A chord this oblique to the faces says little about what lies between them. Of the seven directions one is always within 36 degrees.
 constexpr double kLeastSlope = 0.5;
-// Slits narrower than this are closed; lattice units. Nodes are 1.7 apart.
-constexpr double kSlit = 1.0;
+// Slits narrower than this are closed, or the lattice would leave tunnels in them; lattice units.
+constexpr double kSlit = 2;
 constexpr double kSlitOverlap = 0.7;
 // One ball is kept in each cell of this size. Wider cells, with dents between the balls, come only when there are very many balls.
 constexpr double kLeastCell = 0.25;
 constexpr std::size_t kMostFound = 2'000'000;
 constexpr double kMostWork = 1e8;
 
-/// One end of a chord between two faces and the way its face looks, away from the chord.
+/// One end of a chord and the way its face looks, away from the chord.
 struct Face {
   Vec3 place;
   Vec3 normal;
+  int triangle = 0;
 };
 
 /// The radius of the ball that touches both faces from within, one of them at `a`.
@@ -86,8 +87,8 @@ class Collector {
     for (auto& found : found_) found.cell = cell_of(found.ball.centre);
     std::sort(found_.begin(), found_.end(), [](Found const& a, Found const& b) {
       auto const key = [](Found const& f) {
-        return std::tuple(f.cell, -f.ball.radius, f.ball.centre.x, f.ball.centre.y,
-                          f.ball.centre.z);
+        return std::tuple(f.cell, -f.ball.radius, f.ball.centre.x, f.ball.centre.y, f.ball.centre.z,
+                          f.ball.triangle);
       };
       return key(a) < key(b);
     });
@@ -117,8 +118,8 @@ class Collector {
 
   void add_pair(LineSpans const& family, int line, Crossing const& from, Crossing const& to,
                 double sign) {
-    Face const a{family.place(line, from.at), sign * mesh_.normal(from.triangle)};
-    Face const b{family.place(line, to.at), sign * mesh_.normal(to.triangle)};
+    Face const a{family.place(line, from.at), sign * mesh_.normal(from.triangle), from.triangle};
+    Face const b{family.place(line, to.at), sign * mesh_.normal(to.triangle), to.triangle};
     double const weight = opposition(a, b);
     if (weight <= 0 || !is_steep(a, b, normalized(place_of(kSteps[family.direction()])))) return;
     add_ball(a, touching_radius(a, b), weight, sign > 0);
@@ -130,7 +131,8 @@ class Collector {
     if (!(radius >= 0) || radius >= most) return;
     double const wanted =
         is_solid ? most : radius + kSlitOverlap * std::min(1.0, 2 * (1 - radius / most));
-    Ball const ball{face.place - face.normal * radius, radius + weight * (wanted - radius)};
+    Ball const ball{face.place - face.normal * radius, radius + weight * (wanted - radius),
+                    face.triangle};
     found_.push_back({0, ball});
     if (found_.size() < kMostFound) return;
     thin_out();

@@ -12,6 +12,7 @@ namespace inkflate {
 struct Ball {
   Vec3 centre;
   double radius = 0;
+  int triangle = 0;  // of the model, one that bounds the thin place
 };
 
 /// Balls that make thin places as thick as wanted and close slits that the lattice cannot show.

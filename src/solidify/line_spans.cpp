@@ -12,7 +12,7 @@ constexpr std::size_t kMostHits = 8'000'000;       // 128 MB, twice while they a
 constexpr std::int64_t kMostWork = 2'000'000'000;  // lines tested for one direction
 constexpr int kSlackLines = 2;
 
-using Point2 = std::array<std::int64_t, 2>;
+using Point2 = LinePlanePoint;
 
 /// Twice the area of a, b, p; positive when p lies left of a -> b.
 std::int64_t turn(Point2 a, Point2 b, Point2 p) {
@@ -69,64 +69,76 @@ Vec3 LineSpans::place(int line, double at) const {
   return {u, v, at};
 }
 
-bool LineSpans::scan_triangle(LatticeMesh const& mesh, int t, std::vector<Hit>& hits,
-                              std::int64_t& work) const {
-  std::array<Point2, 3> p{};
-  std::array<double, 3> along{};
+LineSpans::Projection LineSpans::project(LatticeMesh const& mesh, int t) const {
+  Projection shape;
   for (int c = 0; c < 3; ++c) {
     auto const& q = mesh.points[mesh.triangles[t][c]];
-    p[c] = {across_u_.i * q[0] + across_u_.j * q[1] + across_u_.k * q[2],
-            across_v_.i * q[0] + across_v_.j * q[1] + across_v_.k * q[2]};
-    along[c] = static_cast<double>(q[along_]);
+    shape.corners[c] = {across_u_.i * q[0] + across_u_.j * q[1] + across_u_.k * q[2],
+                        across_v_.i * q[0] + across_v_.j * q[1] + across_v_.k * q[2]};
+    shape.along[c] = static_cast<double>(q[along_]);
   }
-  std::int64_t const area = turn(p[0], p[1], p[2]);
-  if (area == 0) return true;
-  // Seen against the lines a front face turns left; a line that meets it leaves the solid.
-  bool const is_out = area > 0;
-  if (!is_out) {
-    std::swap(p[1], p[2]);
-    std::swap(along[1], along[2]);
-  }
-  std::array<std::int64_t, 3> const least = {least_turn(p[1], p[2]), least_turn(p[2], p[0]),
-                                             least_turn(p[0], p[1])};
+  shape.area = turn(shape.corners[0], shape.corners[1], shape.corners[2]);
+  // Seen against the lines a front face turns left: a line that meets it leaves the solid.
+  shape.is_out = shape.area > 0;
+  if (shape.is_out) return shape;
+  std::swap(shape.corners[1], shape.corners[2]);
+  std::swap(shape.along[1], shape.along[2]);
+  shape.area = -shape.area;
+  return shape;
+}
+
+bool LineSpans::scan_triangle(Projection const& shape, int t, std::vector<Hit>& hits,
+                              std::int64_t& work) const {
+  auto const& p = shape.corners;
   auto const u_range = std::minmax({p[0][0], p[1][0], p[2][0]});
   auto const v_range = std::minmax({p[0][1], p[1][1], p[2][1]});
   std::int64_t const last_u = floor_line(u_range.second);
   std::int64_t const last_v = floor_line(v_range.second);
-  double const scale = 1.0 / (static_cast<double>(is_out ? area : -area) * kQuanta);
   for (std::int64_t v = ceil_line(v_range.first); v <= last_v; ++v) {
     if (!is_axis() && (v & 1) != 0) continue;
     std::int64_t u = ceil_line(u_range.first);
     if (((u ^ (is_axis() ? v : 0)) & 1) != 0) ++u;
     if (u > last_u) continue;
     work += (last_u - u) / 2 + 1;
-    Point2 const at = {u * kQuanta, v * kQuanta};
-    std::int64_t a = turn(p[1], p[2], at);
-    std::int64_t b = turn(p[2], p[0], at);
-    std::int64_t c = turn(p[0], p[1], at);
-    for (; u <= last_u; u += 2) {
-      if (a >= least[0] && b >= least[1] && c >= least[2]) {
-        double const position =
-            (static_cast<double>(a) * along[0] + static_cast<double>(b) * along[1] +
-             static_cast<double>(c) * along[2]) *
-            scale;
-        hits.push_back({position,
-                        line_at(static_cast<int>(u) - first_u_, static_cast<int>(v) - first_v_),
-                        2 * t + (is_out ? 0 : 1)});
-      }
-      a -= 2 * kQuanta * (p[2][1] - p[1][1]);
-      b -= 2 * kQuanta * (p[0][1] - p[2][1]);
-      c -= 2 * kQuanta * (p[1][1] - p[0][1]);
-    }
+    scan_row(shape, t, {u, v}, last_u, hits);
   }
   return hits.size() <= kMostHits && work <= kMostWork;
+}
+
+void LineSpans::scan_row(Projection const& shape, int t, Point2 first, std::int64_t last_u,
+                         std::vector<Hit>& hits) const {
+  auto const& p = shape.corners;
+  std::int64_t const v = first[1];
+  double const scale = 1.0 / (static_cast<double>(shape.area) * kQuanta);
+  std::array<std::int64_t, 3> turns{};
+  std::array<std::int64_t, 3> least{};
+  std::array<std::int64_t, 3> steps{};
+  for (int c = 0; c < 3; ++c) {
+    Point2 const a = p[(c + 1) % 3];
+    Point2 const b = p[(c + 2) % 3];
+    turns[c] = turn(a, b, {first[0] * kQuanta, v * kQuanta});
+    least[c] = least_turn(a, b);
+    steps[c] = -2 * kQuanta * (b[1] - a[1]);
+  }
+  for (std::int64_t u = first[0]; u <= last_u; u += 2) {
+    if (turns[0] >= least[0] && turns[1] >= least[1] && turns[2] >= least[2]) {
+      double const position = (static_cast<double>(turns[0]) * shape.along[0] +
+                               static_cast<double>(turns[1]) * shape.along[1] +
+                               static_cast<double>(turns[2]) * shape.along[2]) *
+                              scale;
+      int const line = line_at(static_cast<int>(u) - first_u_, static_cast<int>(v) - first_v_);
+      hits.push_back({position, line, 2 * t + (shape.is_out ? 0 : 1)});
+    }
+    for (int c = 0; c < 3; ++c) turns[c] += steps[c];
+  }
 }
 
 Result<bool> LineSpans::scan(LatticeMesh const& mesh) {
   std::vector<Hit> hits;
   std::int64_t work = 0;
   for (int t = 0; t < std::ssize(mesh.triangles); ++t) {
-    if (!scan_triangle(mesh, t, hits, work))
+    Projection const shape = project(mesh, t);
+    if (shape.area > 0 && !scan_triangle(shape, t, hits, work))
       return Error{ErrorCode::TooLarge,
                    "The model has too many large triangles to be made solid; use fewer cells.", t};
   }
@@ -134,32 +146,36 @@ Result<bool> LineSpans::scan(LatticeMesh const& mesh) {
   return true;
 }
 
-void LineSpans::keep_union(std::vector<Hit>& hits) {
-  std::vector<int> next(begin_.size(), 0);
-  for (auto const& hit : hits) ++next[hit.line + 1];
-  for (std::size_t l = 1; l < next.size(); ++l) next[l] += next[l - 1];
-  std::vector<int> const first = next;
+std::vector<int> LineSpans::sort_by_line(std::vector<Hit>& hits) const {
+  std::vector<int> first(begin_.size(), 0);
+  for (auto const& hit : hits) ++first[hit.line + 1];
+  for (std::size_t l = 1; l < first.size(); ++l) first[l] += first[l - 1];
+  auto next = first;
   std::vector<Hit> sorted(hits.size());
   for (auto const& hit : hits) sorted[next[hit.line]++] = hit;
-  hits = {};
+  hits = std::move(sorted);
+  return first;
+}
+
+void LineSpans::keep_union(std::vector<Hit>& hits) {
+  auto const first = sort_by_line(hits);
   crossings_.clear();
   for (int l = 0; l < line_count(); ++l) {
     begin_[l] = static_cast<int>(crossings_.size());
-    auto const begin = sorted.begin() + first[l];
-    auto const end = sorted.begin() + first[l + 1];
+    std::span<Hit> const line{hits.data() + first[l],
+                              static_cast<std::size_t>(first[l + 1] - first[l])};
     // In before out: shells that touch are one.
-    std::sort(begin, end, [](Hit const& a, Hit const& b) {
+    std::sort(line.begin(), line.end(), [](Hit const& a, Hit const& b) {
       if (a.at != b.at) return a.at < b.at;
       int const a_in = a.triangle_and_turn & 1;
       int const b_in = b.triangle_and_turn & 1;
       return a_in != b_in ? a_in > b_in : a.triangle_and_turn < b.triangle_and_turn;
     });
     int winding = 0;
-    for (auto hit = begin; hit != end; ++hit) {
+    for (auto const& hit : line) {
       int const before = winding;
-      winding += (hit->triangle_and_turn & 1) != 0 ? 1 : -1;
-      if ((before > 0) != (winding > 0))
-        crossings_.push_back({hit->at, hit->triangle_and_turn / 2});
+      winding += (hit.triangle_and_turn & 1) != 0 ? 1 : -1;
+      if ((before > 0) != (winding > 0)) crossings_.push_back({hit.at, hit.triangle_and_turn / 2});
     }
     CHECK(winding == 0, "a line leaves a closed mesh as often as it goes in");
   }

@@ -33,6 +33,9 @@ struct LatticeMesh {
   }
 };
 
+/// A point across a family of lines: quanta, or numbers of lines.
+using LinePlanePoint = std::array<std::int64_t, 2>;
+
 /// Where a line goes into the union of all shells or leaves it.
 struct Crossing {
   double at = 0;     // along the line, see LineSpans::position
@@ -76,8 +79,22 @@ class LineSpans {
   static int dot_of(LatticeNode a, LatticeNode b) { return a.i * b.i + a.j * b.j + a.k * b.k; }
   int line_at(int u, int v) const { return (is_axis() ? v : v >> 1) * columns_ + (u >> 1); }
   bool is_axis() const { return family_ < 3; }
-  bool scan_triangle(LatticeMesh const& mesh, int t, std::vector<Hit>& hits,
+  /// A triangle as the lines see it, turning left.
+  struct Projection {
+    std::array<LinePlanePoint, 3> corners{};
+    std::array<double, 3> along{};  // quanta
+    std::int64_t area = 0;          // twice
+    bool is_out = false;
+  };
+
+  Projection project(LatticeMesh const& mesh, int t) const;
+  /// False: too many hits or too much work.
+  bool scan_triangle(Projection const& shape, int t, std::vector<Hit>& hits,
                      std::int64_t& work) const;
+  void scan_row(Projection const& shape, int t, LinePlanePoint first, std::int64_t last_u,
+                std::vector<Hit>& hits) const;
+  /// Where the hits of each line begin.
+  std::vector<int> sort_by_line(std::vector<Hit>& hits) const;
   void keep_union(std::vector<Hit>& hits);
 
   int family_ = 0;

@@ -39,7 +39,7 @@ class Marcher {
       for (int r = 1; r + 1 < lattice.rows; ++r) {
         int const row = (k * lattice.rows + r) * lattice.columns;
         for (int c = 1; c + 1 < lattice.columns; ++c) {
-          for (int axis = 0; axis < 3; ++axis) march_around(row + c, axis);
+          for (std::size_t axis = 0; axis < 3; ++axis) march_around(row + c, axis);
         }
       }
     }
@@ -47,7 +47,7 @@ class Marcher {
   }
 
  private:
-  void march_around(int node, int axis) {
+  void march_around(int node, std::size_t axis) {
     auto const& sides = solid_.sides;
     int const end = node + offsets_[0][2 * axis];
     std::array<int, 4> around{};

@@ -76,11 +76,10 @@ struct Box {
   Vec3 max;
 };
 
-/// Of the points that triangles use, turned: the model's y points up, its front to -y.
-Box turned_box(TriMesh const& model);
-
+/// The model's y points up in print, its front to -y.
 Vec3 turned(Vec3 p) { return {p.x, -p.z, p.y}; }
 
+/// Of the points that triangles use.
 Box turned_box(TriMesh const& model) {
   Vec3 const first = turned(model.points[model.triangles.front()[0]]);
   Box box{first, first};
@@ -95,7 +94,22 @@ Box turned_box(TriMesh const& model) {
 }
 
 std::int64_t to_quanta(double units) {
-  return 2 * static_cast<std::int64_t>(std::floor(units * (kQuanta / 2))) + 1;
+  constexpr double half = static_cast<double>(kQuanta) / 2;
+  return 2 * static_cast<std::int64_t>(std::floor(units * half)) + 1;
+}
+
+/// The model's box at the corner, scaled and rounded.
+LatticeMesh lay_out(TriMesh const& model, Box const& box, double scale, Vec3 corner) {
+  LatticeMesh mesh;
+  mesh.triangles = model.triangles;
+  mesh.points.resize(model.points.size());
+  for (auto const& triangle : model.triangles) {
+    for (int const p : triangle) {
+      Vec3 const place = corner + (turned(model.points[p]) - box.min) * scale;
+      mesh.points[p] = {to_quanta(place.x), to_quanta(place.y), to_quanta(place.z)};
+    }
+  }
+  return mesh;
 }
 
 /// Nodes along a side whose places are two units apart.
@@ -132,18 +146,8 @@ Result<PrintSpace> make_print_space(TriMesh const& model, SolidifyOptions const&
   // A base lies halfway between two planes of nodes.
   double const lift = options.has_flat_base ? kBaseShare * size.z * scale : 0;
   double const base = std::floor(margin + lift) + 0.5;
-  Vec3 const corner = {margin, margin, base - lift};
   space.zero = {margin + size.x * scale / 2, margin + size.y * scale / 2, base};
-  space.mesh.triangles = model.triangles;
-  space.mesh.points.reserve(model.points.size());
-  for (auto const& p : model.points) {
-    // A point that no triangle uses may be anywhere.
-    Vec3 const q = (turned(p) - box.min) * scale;
-    Vec3 const inside = {std::clamp(q.x, 0.0, size.x * scale), std::clamp(q.y, 0.0, size.y * scale),
-                         std::clamp(q.z, 0.0, size.z * scale)};
-    Vec3 const place = corner + (is_finite(q) ? inside : Vec3{});
-    space.mesh.points.push_back({to_quanta(place.x), to_quanta(place.y), to_quanta(place.z)});
-  }
+  space.mesh = lay_out(model, box, scale, {margin, margin, base - lift});
   return space;
 }
 

@@ -15,8 +15,6 @@ struct PrintSpace {
   Vec3
       zero;  // the place of the origin in mm, lattice units; its z is the base if there is one, else the model's lowest point
   double least = 0;  // thickness, lattice units; what the lattice can show, at least
-
-  Vec3 to_mm(Vec3 place) const { return (place - zero) * unit_mm; }
 };
 
 /// errors  BadInput (points that are not finite, indices, not closed), NothingThere, BadOption, TooLarge

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "solidify/fill_balls.h"
 #include "solidify/lattice.h"
 #include "solidify/line_spans.h"
+#include "solidify/node_stretches.h"
 
 namespace inkflate {
-
-/// What a lattice node is: outside, on the surface (once it was moved there) or inside.
-enum class Side : std::int8_t { Outside = -1, On = 0, Inside = 1 };
 
 struct Reach {
   double share = 0;         // of the step, 0 .. 1
@@ -31,11 +28,5 @@ struct Solid {
   /// How far the solid reaches on the way from a node that is inside to its neighbour in direction d that is outside.
   Reach reach(LatticeNode from, int direction) const;
 };
-
-/// Finds for each node the side on which it is.
-///
-/// in      solid: all but ball_of_node and sides
-/// cost    O(nodes + sum of the balls' volumes)
-void label_nodes(Solid& solid);
 
 }  // namespace inkflate

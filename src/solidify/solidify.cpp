@@ -2,7 +2,9 @@
 #include "solidify/solidify.h"
 
 #include <algorithm>
+#include <numeric>
 
+#include "solidify/label_nodes.h"
 #include "solidify/march.h"
 #include "solidify/print_space.h"
 #include "solidify/smooth_creases.h"
@@ -11,6 +13,29 @@ namespace inkflate {
 namespace {
 
 Error cancelled() { return {ErrorCode::Cancelled, "Cancelled."}; }
+
+/// Per triangle which connected piece it belongs to, from 0.
+std::vector<int> shells_of(TriMesh const& model) {
+  std::vector<int> parents(model.points.size());
+  std::iota(parents.begin(), parents.end(), 0);
+  auto const root = [&](int p) {
+    while (parents[p] != p) p = parents[p] = parents[parents[p]];
+    return p;
+  };
+  for (auto const& [a, b, c] : model.triangles) {
+    parents[root(b)] = root(a);
+    parents[root(c)] = root(a);
+  }
+  std::vector<int> numbers(model.points.size(), -1);
+  std::vector<int> shells;
+  int count = 0;
+  for (auto const& triangle : model.triangles) {
+    int& number = numbers[root(triangle[0])];
+    if (number < 0) number = count++;
+    shells.push_back(number);
+  }
+  return shells;
+}
 
 /// The mesh in mm, standing on z = 0.
 void move_to_mm(TriMesh& mesh, PrintSpace const& space, bool has_flat_base) {
@@ -46,7 +71,7 @@ Result<TriMesh> solidify(TriMesh const& model, SolidifyOptions const& options,
     for (auto& family : solid.families) family.cut_below(solid.base);
   }
   if (!progress.enter("tell inside from outside")) return cancelled();
-  label_nodes(solid);
+  label_nodes(solid, shells_of(model));
   if (!progress.enter("cut edges")) return cancelled();
   Cuts const cuts(solid);
   if (!progress.enter("move nodes")) return cancelled();

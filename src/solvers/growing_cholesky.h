@@ -16,17 +16,14 @@ class GrowingCholesky {
   /// cost    O(n^2)
   [[nodiscard]] bool append(std::vector<double> row);
 
-  /// Takes a row and its column away. cost: O(n^2 (n - row))
+  /// Takes a row and its column away. cost: O((n - row)^2)
   void remove(int row);
 
   /// Replaces the right-hand side by the solution. O(n^2)
   void solve(std::span<double> values) const;
 
  private:
-  std::vector<double> factor_row(std::vector<double> const& row) const;
-
-  std::vector<std::vector<double>> rows_;     // of the matrix, each up to the diagonal
-  std::vector<std::vector<double>> factors_;  // of L, likewise
+  std::vector<std::vector<double>> rows_;  // of L, each up to the diagonal
 };
 
 }  // namespace inkflate

@@ -88,6 +88,12 @@ TEST(Inkflate, DocumentsAreReadAsTheyAreSpecified) {
   EXPECT_EQ(layers[0].thickness, 2);
 }
 
+TEST(Inkflate, FilesOfEveryVersionAreRead) {
+  auto const project = read_inkflate(as_bytes(test_data("inkflate/version_1.inkflate")));
+  ASSERT_TRUE(project.has_value()) << project.error().message;
+  EXPECT_EQ(project->drawing, read_document_json(kDocument)->drawing);
+}
+
 TEST(Inkflate, DamagedDocumentsAreRefused) {
   struct Case {
     std::string from;

@@ -101,6 +101,14 @@ TEST(WriteGlb, ExtrasTellTheTrianglesOfEachLayer) {
       model.mesh.triangles.size());
 }
 
+TEST(WriteGlb, OnlyModelsWithOpenEndsShowTheirInside) {
+  auto model = ball_model({}, 100, 2);
+  EXPECT_FALSE(glb_parts(write_glb(model)).json.at("materials").at(0).contains("doubleSided"));
+  model.mesh.triangles.pop_back();
+  model.faces.pop_back();
+  EXPECT_EQ(glb_parts(write_glb(model)).json.at("materials").at(0).at("doubleSided"), true);
+}
+
 TEST(WriteGlb, NamesThatAreNoUtf8AreWrittenAll) {
   auto model = ball_model({}, 100, 2);
   model.layer_names = {"\xff\"\n"};

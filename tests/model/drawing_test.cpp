@@ -102,5 +102,27 @@ TEST(Runs, NothingGivesNothing) {
   EXPECT_TRUE(flatten({}, 0.1).empty());
 }
 
+TEST(Drawing, ADuplicateLiesBehindWithStrokesOfItsOwn) {
+  Drawing drawing;
+  drawing.sketch.strokes.resize(2);
+  drawing.sketch.strokes[1].samples = {{{1, 1}, 0.5}};
+  Outline outline;
+  outline.sources = {{0, 1, 1, 0, 0}};
+  drawing.layers = {{"body", {}, {}, {}}, {"leg", {outline}, {1}, {0}, 4.0, Colour{9, 9, 9, 255}}};
+  duplicate_behind(drawing, 1);
+  ASSERT_EQ(drawing.layers.size(), 3U);
+  auto const& copy = drawing.layers[0];
+  EXPECT_EQ(copy.name, "leg copy");
+  EXPECT_EQ(copy.thickness, 4.0);
+  EXPECT_EQ(copy.fill, (Colour{9, 9, 9, 255}));
+  ASSERT_EQ(drawing.sketch.strokes.size(), 4U);
+  EXPECT_EQ(copy.strokes, std::vector{2});
+  EXPECT_EQ(copy.details, std::vector{3});
+  EXPECT_EQ(copy.outlines[0].sources[0].stroke, 2);
+  EXPECT_EQ(drawing.sketch.strokes[2].samples, drawing.sketch.strokes[1].samples);
+  EXPECT_EQ(drawing.sketch.groups[drawing.sketch.strokes[2].group].name, "leg copy");
+  EXPECT_EQ(drawing.layers[2].strokes, std::vector{1});
+}
+
 }  // namespace
 }  // namespace inkflate

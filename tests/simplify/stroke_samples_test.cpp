@@ -110,5 +110,29 @@ TEST(StrokeSamples, AboveTheCapTheSpacingGrows) {
   EXPECT_LE(distance(samples.points[0].position, samples.points[1].position), 3 + 1e-9);
 }
 
+TEST(StrokeSamples, AChordAddsSamplesBetweenItsEnds) {
+  auto samples = samples_of(sketch_of({line_stroke({{0, 0}, {1000, 0}})}), 2.5);
+  int const drawn = static_cast<int>(std::ssize(samples.points));
+  EXPECT_EQ(samples.drawn_count(), drawn);
+  append_chord({{100, 200}, {200, 200}}, 1, samples);
+  ASSERT_EQ(std::ssize(samples.points), drawn + 39);
+  EXPECT_EQ(samples.lattice.size(), samples.points.size());
+  EXPECT_EQ(samples.drawn_count(), drawn);
+  EXPECT_FALSE(samples.is_chord(drawn - 1));
+  for (int k = 0; k < 39; ++k) {
+    auto const& sample = samples.points[drawn + k];
+    EXPECT_TRUE(samples.is_chord(drawn + k));
+    EXPECT_LT(distance(sample.position, {102.5 + 2.5 * k, 200}), 1e-9);
+    EXPECT_EQ(sample.direction, (Vec2{1, 0}));
+    EXPECT_EQ(sample.stroke, 1);
+  }
+}
+
+TEST(StrokeSamples, AChordShorterThanTheSpacingAddsNone) {
+  auto samples = samples_of(sketch_of({line_stroke({{0, 0}, {1000, 0}})}), 2.5);
+  for (auto const to : {Vec2{100, 200}, Vec2{102, 200}}) append_chord({{100, 200}, to}, 1, samples);
+  EXPECT_EQ(samples.chord_count, 0);
+}
+
 }  // namespace
 }  // namespace inkflate

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "geometry/trig.h"
-#include "support/shell_check.h"
+#include "mesh/check_mesh.h"
 #include "support/solid_shapes.h"
 
 namespace inkflate {
@@ -19,7 +19,7 @@ using namespace shapes;
 /// Made solid, printable, and measured.
 struct Solidified {
   TriMesh mesh;
-  ShellCheck check;
+  MeshCheck check;
 };
 
 Solidified printable(TriMesh const& model, SolidifyOptions const& options) {
@@ -27,9 +27,10 @@ Solidified printable(TriMesh const& model, SolidifyOptions const& options) {
   EXPECT_TRUE(result.has_value()) << result.error().message;
   if (!result) return {};
   Solidified solid{std::move(*result), {}};
-  solid.check = check_shell(solid.mesh);
-  EXPECT_EQ(solid.check.fault, "");
-  EXPECT_GT(solid.check.least_angle, 2);
+  solid.check = check_mesh(solid.mesh);
+  EXPECT_TRUE(solid.check.is_sound());
+  EXPECT_EQ(count_self_crossings(solid.mesh), 0);
+  EXPECT_GT(least_angle(solid.mesh), 1);
   return solid;
 }
 
@@ -45,7 +46,7 @@ TEST(Solidify, OverlappingBallsBecomeOneShellWithTheVolumeOfTheirUnion) {
   auto const solid =
       printable(together(sphere({0, 0, 0}, 30), sphere({40, 0, 0}, 30)), {.cells = 50});
   EXPECT_EQ(solid.check.shells, 1);
-  EXPECT_EQ(solid.check.euler, 2);
+  EXPECT_EQ(solid.check.genus, 0);
   // Two caps of height 10 are counted once too often.
   double const lens = 2 * kPi * 100 * (3 * 30 - 10) / 3;
   double const truth = 2 * ball_volume(30) - lens;
@@ -55,7 +56,7 @@ TEST(Solidify, OverlappingBallsBecomeOneShellWithTheVolumeOfTheirUnion) {
 TEST(Solidify, RingKeepsItsHole) {
   auto const solid = printable(torus(35, 15), {.cells = 40});
   EXPECT_EQ(solid.check.shells, 1);
-  EXPECT_EQ(solid.check.euler, 0);
+  EXPECT_EQ(solid.check.genus, 1);
 }
 
 double radius_error(int cells) {
@@ -127,7 +128,7 @@ TEST(Solidify, ThinPlateGrowsToTheLeastThickness) {
   auto const solid =
       printable(box({0, 0, 0}, {40, 40, 0.2}), {.longest_mm = 40, .least_mm = 3, .cells = 40});
   EXPECT_EQ(solid.check.shells, 1);
-  EXPECT_EQ(solid.check.euler, 2);
+  EXPECT_EQ(solid.check.genus, 0);
   for (double const x : {-15.0, -3.3, 0.1, 12.0}) {
     for (double const z : {5.2, 20.0, 33.0}) {
       EXPECT_GT(thickness_at(solid.mesh, x, z), 2.9);
@@ -171,7 +172,7 @@ TEST(Solidify, ShellInsideAnotherVanishes) {
   auto const solid =
       printable(together(sphere({0, 0, 0}, 50), sphere({10, 0, 0}, 10)), {.cells = 32});
   EXPECT_EQ(solid.check.shells, 1);
-  EXPECT_EQ(solid.check.euler, 2);
+  EXPECT_EQ(solid.check.genus, 0);
 }
 
 TEST(Solidify, ClosedVoidIsFilled) {
@@ -191,7 +192,7 @@ TEST(Solidify, SlitNarrowerThanTheLatticeCloses) {
   auto const halves = together(box({0, 0, 0}, {40, 40, 40}), box({40.1, 0, 0}, {80, 40, 40}));
   auto const solid = printable(halves, {.cells = 40});
   EXPECT_EQ(solid.check.shells, 1);
-  EXPECT_EQ(solid.check.euler, 2);
+  EXPECT_EQ(solid.check.genus, 0);
 }
 
 TEST(Solidify, SlitThatTheLatticeShowsStaysOpen) {
@@ -217,7 +218,7 @@ TEST(Solidify, ShellThatPassesThroughItselfIsOneSolid) {
   });
   auto const solid = printable(knot, {.cells = 60});
   EXPECT_EQ(solid.check.shells, 1);
-  EXPECT_EQ(solid.check.euler, 0);
+  EXPECT_EQ(solid.check.genus, 1);
 }
 
 TEST(Solidify, SameInputGivesTheSameBits) {

@@ -12,6 +12,7 @@
 #include "geometry/crossings.h"
 #include "geometry/predicates.h"
 #include "geometry/trig.h"
+#include "mesh/rim_spacing.h"
 
 namespace inkflate {
 
@@ -172,6 +173,32 @@ Region random_region(std::uint64_t seed) {
       for (auto& p : contour) p = on_coarse_lattice(p);
     }
   }
+  return region;
+}
+
+namespace {
+
+Contour resampled(Contour contour, std::vector<double> spacing) {
+  contour.push_back(contour.front());
+  spacing.push_back(spacing.front());
+  auto line = resample(contour, spacing);
+  line.pop_back();
+  return line;
+}
+
+}  // namespace
+
+Region region_of(Layer const& layer) {
+  constexpr double fine_px = 2;
+  std::vector<Contour> fine;
+  for (auto const& outline : layer.outlines) {
+    auto const contour = flatten(outline, 0.1);
+    fine.push_back(resampled(contour, std::vector<double>(contour.size(), fine_px)));
+  }
+  auto const spacing = rim_spacing(fine);
+  Region region;
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    region.contours.push_back(resampled(fine[i], spacing[i]));
   return region;
 }
 

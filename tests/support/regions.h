@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/mesh_region.h"
+#include "model/drawing.h"
 
 namespace inkflate {
 
@@ -31,6 +32,9 @@ Region triangle_region();
 
 /// A star-shaped polygon of random radii, mostly with holes and seams; some have coordinates on a coarse lattice.
 Region random_region(std::uint64_t seed);
+
+/// A layer as it is meshed: its outlines sampled evenly, then as rim_spacing wants.
+Region region_of(Layer const& layer);
 
 struct NamedRegion {
   std::string name;

@@ -105,4 +105,17 @@ TriMesh inside_out(TriMesh mesh) {
   return mesh;
 }
 
+double least_angle(TriMesh const& mesh) {
+  double largest_cosine = -1;
+  for (auto const& corners : mesh.triangles) {
+    for (int c = 0; c < 3; ++c) {
+      Vec3 const at = mesh.points[corners[c]];
+      Vec3 const u = normalized(mesh.points[corners[(c + 1) % 3]] - at);
+      Vec3 const v = normalized(mesh.points[corners[(c + 2) % 3]] - at);
+      largest_cosine = std::max(largest_cosine, dot(u, v));
+    }
+  }
+  return acos_of(largest_cosine) * 180 / kPi;
+}
+
 }  // namespace inkflate::shapes

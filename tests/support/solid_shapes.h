@@ -38,4 +38,7 @@ TriMesh torus(double ring_radius, double tube_radius, int count = 96);
 TriMesh together(TriMesh a, TriMesh const& b);
 TriMesh inside_out(TriMesh mesh);
 
+/// The smallest angle of all triangles, degrees.
+double least_angle(TriMesh const& mesh);
+
 }  // namespace inkflate::shapes

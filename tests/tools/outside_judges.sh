@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # The sections of ./test in which programs of others judge the model files that we write. To be sourced after sections.sh.
 
-test_models=build/test_models  # of tests/support: red above, blue below
+test_models=build/test_models        # of tests/support: red above, blue below
+example_models=build/example_models  # of the example drawings
+example_prints=build/example_prints  # of the same, as one shell each
 
 # From the lock file, once.
 judges_from_npm() {
@@ -20,15 +22,57 @@ make_test_models() {
   build_target dev test_models && build/dev/tests/test_models $test_models
 }
 
-# run_judges PROGRAM ARGUMENT...: one of tests/judges; takes over its counts.
+# make_example_models EXTENSION...: of every example drawing a model in each of these formats.
+make_example_models() {
+  local drawing extension
+  rm -rf $example_models && mkdir -p $example_models
+  build_target release inkflate || return
+  for drawing in examples/*/*.svg; do
+    for extension in "$@"; do
+      build/release/inkflate inflate "$drawing" -o "$example_models/$(basename "$drawing" .svg).$extension" || return
+    done
+  done
+}
+
+# make_example_prints EXTENSION...: of every example drawing a print in each of these formats.
+make_example_prints() {
+  local drawing extension
+  rm -rf $example_prints && mkdir -p $example_prints
+  build_target release inkflate || return
+  for drawing in examples/*/*.svg; do
+    for extension in "$@"; do
+      build/release/inkflate inflate "$drawing" --print -o "$example_prints/$(basename "$drawing" .svg).$extension" || return
+    done
+  done
+}
+
+# What our own check says of every example.
+sound_models() {
+  local model
+  for model in $example_models/*; do
+    case $model in *.mtl | *.png) continue ;; esac
+    if build/release/inkflate check "$model" >"$log"; then
+      count 1 0
+    else
+      cat "$log"
+      count 0 1
+    fi
+  done
+}
+
+# run_judges PROGRAM ARGUMENT...: one of tests/judges; takes over its counts. When only the judges were asked, all that they say is shown.
 run_judges() {
-  python3 "tests/judges/$1" "${@:2}" | tee "$log"
+  local expected='^good |^seen '
+  $only_judges && expected='^$'
+  python3 "tests/judges/$1" "${@:2}" >"$log" 2>&1
+  grep -Ev "$expected" "$log"
   count "$(sed -n 's/^\([0-9]*\) passed, .*/\1/p' "$log")" "$(sed -n 's/.* passed, \([0-9]*\) failed$/\1/p' "$log")"
 }
 
 outside_judges() {
-  judges_from_npm && make_test_models || return
-  run_judges judge.py $test_models/*.glb $test_models/*.stl
+  judges_from_npm && make_test_models && make_example_models glb stl || return
+  sound_models
+  run_judges judge.py $test_models/*.glb $test_models/*.stl $example_models/*
 }
 
 planted_faults() {
@@ -36,8 +80,13 @@ planted_faults() {
 }
 
 all_outside_judges() {
-  judges_from_npm && make_test_models || return
+  judges_from_npm && make_test_models && make_example_models glb stl obj || return
   run_judges judge.py --all --red-over-blue $test_models/*.glb $test_models/*.stl $test_models/*.obj $test_models/*.3mf
+  run_judges judge.py --all $example_models/*.glb $example_models/*.stl $example_models/*.obj
+}
+
+all_judges_of_prints() {
+  make_example_prints stl && run_judges judge.py --all --print $example_prints/*
 }
 
 all_planted_faults() {
