@@ -64,7 +64,6 @@ def dragon(sheet):
     sheet.group("construction")
     sheet.guide("300,716 560,720 860,712", "300,210 440,200")
     sheet.copy("far-wing", "near-wing", "translate(-128 -26)", fill="#e0715a", thickness=0.4)
-    sheet.copy("far-arm", "near-arm", "translate(-44 -34)", fill="#6fae55")
     sheet.copy("far-leg", "near-leg", "translate(-112 -18)", fill="#6fae55")
     sheet.group("fire", HONEY, 1)
     sheet.outline("226,268 190,240 150,238! 168,262 120,262 76,284! 128,296 110,324! 160,318 206,306 "
@@ -80,6 +79,8 @@ def dragon(sheet):
     sheet.group("body", LEAF)
     sheet.outline("420,356 490,320 566,352 636,436 668,540 640,640 560,694 456,694 386,640 366,540 "
                   "384,440", closed=True, gaps="456,694,24 636,436,20")
+    sheet.line("404,520 440,532 486,524", "394,564 440,576 498,566", "396,608 446,620 498,608",
+               "414,650 452,660 494,650", width=13, colour=CREAM)
     sheet.group("spikes", CORAL, 1)
     sheet.outline("420,196 452,160 492,140! 482,186 490,214 532,216 548,222! 520,250 514,280 546,292 "
                   "566,308! 532,322 510,340", passes=2)
@@ -96,10 +97,6 @@ def dragon(sheet):
     sheet.group("eye", WHITE, 3)
     sheet.small(ring(336, 196, 34, 38))
     sheet.pupil(326, 202, 14)
-    sheet.group("belly", CREAM, 0.5)
-    sheet.outline("420,450 470,430 510,460 530,540 514,630 460,664 414,636 394,550", closed=True, passes=2)
-    sheet.line("410,496 460,506 512,494", "400,546 460,558 524,544", "404,596 460,610 516,594",
-               width=4, colour=HONEY)
     sheet.group("near-wing", CORAL, 0.4)
     sheet.outline("552,448 590,340 650,232 742,140! 764,214 812,240! 796,304 846,344! 786,388 794,436! "
                   "716,424 640,456 578,496", gaps="650,232,20")

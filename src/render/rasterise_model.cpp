@@ -193,8 +193,8 @@ class ModelRasteriser {
   }
 
   static Vec2 offset(int sample) {
-    return {static_cast<double>(sample % kSamplesAcross),
-            static_cast<double>(sample / kSamplesAcross)};
+    int const row = sample / kSamplesAcross;
+    return {static_cast<double>(sample % kSamplesAcross), static_cast<double>(row)};
   }
 
   PixelSum inked(int pixel_x, int row) const {

@@ -82,7 +82,7 @@ inline void add_ball(RestModel& model, BallShape const& ball) {
 /// A circle of four ink pieces.
 inline Outline circle_outline(Vec2 centre, double radius_px) {
   // The distance of the inner control points that keeps a quarter of a circle within 0.03 % of its radius.
-  constexpr double kHandle = 0.5522847498;
+  constexpr double handle = 0.5522847498;
   Outline outline;
   Vec2 along = {1, 0};
   for (int i = 0; i < 4; ++i) {
@@ -90,7 +90,7 @@ inline Outline circle_outline(Vec2 centre, double radius_px) {
     Vec2 const from = centre + radius_px * along;
     Vec2 const to = centre + radius_px * next;
     outline.pieces.push_back(
-        {Cubic{{from, from + kHandle * radius_px * next, to + kHandle * radius_px * along, to}},
+        {Cubic{{from, from + handle * radius_px * next, to + handle * radius_px * along, to}},
          RunKind::Ink});
     along = next;
   }
