@@ -30,14 +30,15 @@ LayerArea::LayerArea(Layer const& layer, WorkSpace const& space)
       box_(bounds(contour_)),
       grid_(contour_, kBucketPx) {}
 
-bool LayerArea::holds(Vec2 p) const {
-  bool const is_in_box =
-      p.x >= box_.min.x && p.x <= box_.max.x && p.y >= box_.min.y && p.y <= box_.max.y;
-  return is_in_box && contains(contour_, p);
+bool LayerArea::is_in_box(Vec2 p, double margin_px) const {
+  return p.x >= box_.min.x - margin_px && p.x <= box_.max.x + margin_px &&
+         p.y >= box_.min.y - margin_px && p.y <= box_.max.y + margin_px;
 }
 
+bool LayerArea::holds(Vec2 p) const { return is_in_box(p, 0) && contains(contour_, p); }
+
 bool LayerArea::is_at_rim(Vec2 p, double distance_px) const {
-  return grid_.any_near(p, distance_px, [&](int i) {
+  return is_in_box(p, distance_px) && grid_.any_near(p, distance_px, [&](int i) {
     return squared_norm(contour_[i] - p) <= distance_px * distance_px;
   });
 }

@@ -20,6 +20,8 @@ class LayerArea {
   bool covers(Vec2 p, double distance_px) const { return holds(p) || is_at_rim(p, distance_px); }
 
  private:
+  bool is_in_box(Vec2 p, double margin_px) const;
+
   Contour contour_;  // no edge longer than a few px
   Rect box_;
   PointGrid grid_;
