@@ -23,8 +23,8 @@ constexpr double kSoftMiddle = 0.01;
 /// Where hundreds of layers lie on one another, only so many points are looked at, evenly.
 constexpr double kMostLookups = 5e5;
 
-/// Steeper than 60 degrees a part would look torn off.
-constexpr double kSteepest = 1.7;
+/// Steeper than about 27 degrees a part looks torn off, and the more so the longer it is.
+constexpr double kSteepest = 0.5;
 
 /// Where a layer is held by a joint: the straight line between its run's ends.
 struct Root {

@@ -21,7 +21,7 @@ PlateStiffness stiffness_of(double layer_size, double model_size, bool is_limb) 
   double const area = model_size * model_size;
   double const share = layer_size * layer_size / area;
   // A limb is held by its joint and only has to be kept from leaning: legs stay side by side.
-  if (is_limb) return {10 * share, 160 * share / area, 1.6 * share / (area * area)};
+  if (is_limb) return {10 * share, 2000 * share / area, 1.6 * share / (area * area)};
   // What no joint holds is drawn back to the middle. If large it stays upright; if small, as an eye is, it tilts to lie on what is
   // behind it.
   double const pull = 1600 * share / (area * area);

@@ -6,6 +6,7 @@
 
 #include "inflate/fade.h"
 #include "inflate/seam_distance.h"
+#include "inflate/unfold.h"
 
 namespace inkflate {
 namespace {
@@ -123,7 +124,12 @@ void shape_joints(FlatModel const& model, std::span<Triangle const> triangles,
     }
     std::swap(now, next);
   }
-  for (std::size_t v = 0; v < zone.vertices.size(); ++v) points[zone.vertices[v]] = now[v];
+  std::vector<bool> is_movable(points.size(), false);
+  for (std::size_t v = 0; v < zone.vertices.size(); ++v) {
+    points[zone.vertices[v]] = now[v];
+    is_movable[zone.vertices[v]] = true;
+  }
+  unfold(triangles, is_movable, points);
 }
 
 }  // namespace inkflate
