@@ -20,7 +20,8 @@ constexpr std::array kFloors = {
     Floor{"solvers", 2},  Floor{"model", 3},    Floor{"ink", 4},      Floor{"simplify", 4},
     Floor{"deform", 4},   Floor{"assemble", 4}, Floor{"inflate", 4},  Floor{"animate", 4},
     Floor{"document", 4}, Floor{"render", 4},   Floor{"pipeline", 5}, Floor{"io", 5},
-    Floor{"solidify", 4}, Floor{"editor", 6},   Floor{"cli", 7},      Floor{"desktop", 7},  Floor{"web", 7},
+    Floor{"solidify", 4}, Floor{"editor", 6},   Floor{"cli", 7},      Floor{"desktop", 7},
+    Floor{"web", 7},
 };
 
 struct LibraryRule {
