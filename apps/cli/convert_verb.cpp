@@ -5,9 +5,9 @@
 
 #include "cli/batch.h"
 #include "cli/files.h"
+#include "cli/load_project.h"
 #include "cli/output_plan.h"
 #include "cli/progress_line.h"
-#include "cli/read_document.h"
 #include "cli/verb.h"
 #include "cli/write_drawing.h"
 #include "ink/trace_scan.h"
@@ -74,18 +74,11 @@ Result<Project> project_for(ReadDocument& document, bool needs_layers, Progress 
 
 Result<Json> convert_one(ConvertCall const& call, ConvertPlan const& plan, int index,
                          ProgressLine& line) {
-  auto const& input = call.shared.inputs[index];
   StageClock clock;
   Progress const shown = {[&](std::string_view stage) { line.show(stage); }, {}};
   Progress const progress = clock.timed(shown);
-  progress.report("read");
-  auto const content = read_file(input);
-  if (!content) return content.error();
-  auto document = read_document(*content);
+  auto document = load_document(call.shared, call.shared.inputs[index], progress);
   if (!document) return document.error();
-  if (!call.shared.is_quiet) {
-    for (auto const& warning : document->warnings) print_warning(input, warning);
-  }
   auto const format = plan.formats[index];
   bool const is_picture = format == DrawingFormat::Mask && !call.wants_mask;
   bool const needs_layers =

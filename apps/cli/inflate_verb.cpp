@@ -116,11 +116,11 @@ std::optional<Error> write_worn(Project const& project, RestModel const& model, 
                      path);
 }
 
-std::string report_of(TriMesh const& mesh, Project const& project, std::string const& unit,
-                      StageClock& clock) {
+Json report_of(TriMesh const& mesh, Project const& project, std::string const& unit,
+               StageClock& clock) {
   clock.stop();
   ModelFacts const facts = {static_cast<int>(std::ssize(project.drawing.layers)), unit};
-  return json_report(mesh, check_mesh(mesh), facts, clock.times());
+  return Json::parse(json_report(mesh, check_mesh(mesh), facts, clock.times()));
 }
 
 /// One job while it runs.
@@ -130,6 +130,7 @@ struct InflateJob {
   std::string const& path;
   StageClock& clock;
   Progress const& progress;
+  bool is_json = false;
 };
 
 Result<Json> finish_print(InflateJob const& job, Project const& project, RestModel const& model) {
@@ -140,7 +141,7 @@ Result<Json> finish_print(InflateJob const& job, Project const& project, RestMod
     auto const format = std::get<ModelFormat>(job.format);
     if (auto error = write_print(*shell, project.drawing, format, job.path)) return *error;
   }
-  return Json::parse(report_of(*shell, project, "mm", job.clock));
+  return job.is_json ? report_of(*shell, project, "mm", job.clock) : Json::object();
 }
 
 Result<Json> finish_model(InflateJob const& job, Project const& project, RestModel const& model) {
@@ -153,7 +154,7 @@ Result<Json> finish_model(InflateJob const& job, Project const& project, RestMod
                        job.path, job.progress);
   }
   if (error) return *error;
-  return Json::parse(report_of(model.mesh, project, "px", job.clock));
+  return job.is_json ? report_of(model.mesh, project, "px", job.clock) : Json::object();
 }
 
 Result<Json> inflate_one(InflateCall const& call, InflatePlan const& plan, int index,
@@ -167,7 +168,8 @@ Result<Json> inflate_one(InflateCall const& call, InflatePlan const& plan, int i
   if (auto const error = prepare(*project, choices)) return *error;
   auto const model = run_inflate(project->drawing, choices.inflate, progress);
   if (!model) return model.error();
-  InflateJob const job = {choices, plan.formats[index], plan.outputs[index], clock, progress};
+  InflateJob const job = {choices,  plan.formats[index], plan.outputs[index], clock,
+                          progress, call.shared.is_json};
   return choices.print ? finish_print(job, *project, *model) : finish_model(job, *project, *model);
 }
 

@@ -5,12 +5,11 @@
 
 #include "cli/console.h"
 #include "cli/files.h"
-#include "cli/read_document.h"
 
 namespace inkflate::cli {
 
-Result<Project> load_project(SharedOptions const& options, std::string const& input,
-                             RunSimplifyOptions const& simplify, Progress const& progress) {
+Result<ReadDocument> load_document(SharedOptions const& options, std::string const& input,
+                                   Progress const& progress) {
   progress.report("read");
   auto const content = read_file(input);
   if (!content) return content.error();
@@ -19,6 +18,13 @@ Result<Project> load_project(SharedOptions const& options, std::string const& in
   if (!options.is_quiet) {
     for (auto const& warning : document->warnings) print_warning(input, warning);
   }
+  return document;
+}
+
+Result<Project> load_project(SharedOptions const& options, std::string const& input,
+                             RunSimplifyOptions const& simplify, Progress const& progress) {
+  auto document = load_document(options, input, progress);
+  if (!document) return document.error();
   if (has_layers(*document)) return std::move(document->project);
   auto drawing = run_simplify(sketch_source(*document), simplify, progress);
   if (!drawing) return drawing.error();

@@ -5,9 +5,9 @@
 
 #include "cli/batch.h"
 #include "cli/files.h"
+#include "cli/load_project.h"
 #include "cli/output_plan.h"
 #include "cli/progress_line.h"
-#include "cli/read_document.h"
 #include "cli/simplify_options.h"
 #include "cli/verb.h"
 #include "cli/write_drawing.h"
@@ -80,18 +80,11 @@ std::optional<Error> write_outputs(Project const& project, SimplifyPlan const& p
 
 Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, int index,
                           ProgressLine& line) {
-  auto const& input = call.shared.inputs[index];
   StageClock clock;
   Progress const shown = {[&](std::string_view stage) { line.show(stage); }, {}};
   Progress const progress = clock.timed(shown);
-  progress.report("read");
-  auto const content = read_file(input);
-  if (!content) return content.error();
-  auto read = read_document(*content);
+  auto read = load_document(call.shared, call.shared.inputs[index], progress);
   if (!read) return read.error();
-  if (!call.shared.is_quiet) {
-    for (auto const& warning : read->warnings) print_warning(input, warning);
-  }
   auto drawing = run_simplify(sketch_source(*read), plan.options, progress);
   if (!drawing) return drawing.error();
   Project project = {std::move(*drawing)};

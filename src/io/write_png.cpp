@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/write_png.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -100,6 +101,14 @@ std::vector<std::byte> write(std::span<std::uint8_t const> pixels, int width, in
 }  // namespace
 
 std::vector<std::byte> write_png(Picture const& picture) {
+  bool const is_opaque = std::all_of(picture.values.begin(), picture.values.end(),
+                                     [](Colour colour) { return colour.a == 255; });
+  if (is_opaque) {
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(picture.values.size() * 3);
+    for (auto const colour : picture.values) rgb.insert(rgb.end(), {colour.r, colour.g, colour.b});
+    return write(rgb, picture.width, picture.height, 3, std::byte{2});
+  }
   static_assert(sizeof(Colour) == 4, "a colour is its four bytes in RGBA order");
   auto const* const first = reinterpret_cast<std::uint8_t const*>(picture.values.data());
   return write({first, picture.values.size() * 4}, picture.width, picture.height, 4, std::byte{6});

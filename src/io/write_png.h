@@ -8,7 +8,7 @@
 
 namespace inkflate {
 
-/// A PNG with RGBA pixels of 8 bits; the same bytes for the same picture on every machine. At least one pixel, at most
+/// A PNG with RGB pixels of 8 bits, or RGBA where one is not opaque; the same bytes for the same picture on every machine. At least one pixel, at most
 /// 64 megapixels.
 std::vector<std::byte> write_png(Picture const& picture);
 

@@ -175,12 +175,17 @@ Texture bake_texture(Drawing const& drawing, RestModel const& model, BakeOptions
 Texture wear_picture(Picture picture, RestModel const& model) {
   Texture texture;
   texture.picture = std::move(picture);
-  Vec2 const size = {std::max(model.width_px, 1.0), std::max(model.height_px, 1.0)};
+  Vec2 const canvas = {std::max(model.width_px, 1.0), std::max(model.height_px, 1.0)};
+  Vec2 const pixels = {static_cast<double>(texture.picture.width),
+                       static_cast<double>(texture.picture.height)};
+  // As large as the canvas allows, in its middle.
+  auto const size = pixels * std::min(canvas.x / pixels.x, canvas.y / pixels.y);
+  auto const origin = (canvas - size) / 2;
   for (auto const& triangle : model.mesh.triangles) {
     auto& corners = texture.corners.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      Vec2 const place = model.canvas[static_cast<std::size_t>(triangle[k])];
-      corners[k] = {place.x / size.x, place.y / size.y};
+      auto const place = model.canvas[static_cast<std::size_t>(triangle[k])] - origin;
+      corners[k] = {std::clamp(place.x / size.x, 0.0, 1.0), std::clamp(place.y / size.y, 0.0, 1.0)};
     }
   }
   return texture;

@@ -35,7 +35,8 @@ struct BakeOptions {
 Texture bake_texture(Drawing const& drawing, RestModel const& model,
                      BakeOptions const& options = {});
 
-/// The whole canvas as one picture that lies on front and back alike: a template to colour in, a photograph.
+/// One picture that lies on front and back alike, on the canvas as large as fits and centred: a template to colour in, a photograph.
+/// Beyond it the model wears its border. picture: at least one pixel
 Texture wear_picture(Picture picture, RestModel const& model);
 
 }  // namespace inkflate

@@ -170,11 +170,23 @@ TEST(BakeTexture, AModelWithoutTrianglesStillHasAPicture) {
 TEST(WearPicture, TheWholeCanvasIsThePicture) {
   TwoDiscs const discs;
   auto const texture = wear_picture(Picture(8, 6, kSky), discs.model);
-  EXPECT_EQ(texture.picture, Picture(8, 6, kSky));
+  EXPECT_EQ(texture.picture, Picture(8, 6, kSky));  // of the canvas' shape
   for (std::size_t t = 0; t < texture.corners.size(); ++t) {
     auto const vertex = static_cast<std::size_t>(discs.model.mesh.triangles[t][0]);
     EXPECT_EQ(texture.corners[t][0].x, discs.model.canvas[vertex].x / 400);
     EXPECT_EQ(texture.corners[t][0].y, discs.model.canvas[vertex].y / 300);
+  }
+}
+
+TEST(WearPicture, APictureOfAnotherShapeKeepsItAndLiesInTheMiddle) {
+  TwoDiscs const discs;
+  // 300 x 300 px of the canvas, which is 400 x 300.
+  auto const texture = wear_picture(Picture(5, 5, kSky), discs.model);
+  for (std::size_t t = 0; t < texture.corners.size(); ++t) {
+    auto const place =
+        discs.model.canvas[static_cast<std::size_t>(discs.model.mesh.triangles[t][0])];
+    EXPECT_NEAR(texture.corners[t][0].x, std::clamp((place.x - 50) / 300, 0.0, 1.0), 1e-12);
+    EXPECT_NEAR(texture.corners[t][0].y, place.y / 300, 1e-12);
   }
 }
 
