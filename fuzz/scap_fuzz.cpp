@@ -13,9 +13,10 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   CHECK(sketch->width_px > 0 && sketch->height_px > 0, "the canvas has a size");
   for (auto const& stroke : sketch->strokes) {
     CHECK(!stroke.samples.empty() && stroke.width_px >= 0, "a stroke is something");
-    for (auto const& [position, pressure] : stroke.samples) {
-      CHECK(std::abs(position.x) <= 1e6 && std::abs(position.y) <= 1e6, "samples are in range");
-      CHECK(pressure >= 0 && pressure <= 1, "pressure is in range");
+    for (auto const& sample : stroke.samples) {
+      auto const p = sample.position;
+      CHECK(std::abs(p.x) <= 1e6 && std::abs(p.y) <= 1e6, "samples are in range");
+      CHECK(sample.pressure >= 0 && sample.pressure <= 1, "pressure is in range");
     }
   }
   return 0;

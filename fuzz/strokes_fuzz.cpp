@@ -84,7 +84,7 @@ SimplifyOptions read_options(Bytes& bytes, Coordinates coordinates) {
 }
 
 Sketch read_strokes(Bytes& bytes, Coordinates coordinates) {
-  Sketch sketch = {1000, 1000, {"a", "b"}, {}};
+  Sketch sketch = {1000, 1000, {StrokeGroup{"a"}, StrokeGroup{"b"}}, {}};
   for (int i = 0; i < kMostSamples && !bytes.is_empty(); ++i) {
     // One sample in eight or so begins a stroke; the byte also says what the stroke is.
     int const head = bytes.byte();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/parse_json.h"
+#include "io/put_bytes.h"
 #include "io/read_document_json.h"
 #include "io/read_picture.h"
 #include "io/sketch_limits.h"
@@ -23,11 +24,6 @@ namespace {
 constexpr std::string_view kPreviewFile = "preview.png";
 constexpr std::string_view kTemplateFile = "pictures/template.png";
 constexpr double kPreviewSidePx = 256;
-
-std::vector<std::byte> bytes_of(std::string_view text) {
-  auto const bytes = std::as_bytes(std::span(text));
-  return {bytes.begin(), bytes.end()};
-}
 
 /// Takes away dashes that nobody could count: lines far beyond the canvas may have any number of them.
 void keep_dashes_few(DrawList& list) {

@@ -30,4 +30,10 @@ inline void put_text(std::vector<std::byte>& bytes, std::string_view text) {
   for (char const sign : text) bytes.push_back(static_cast<std::byte>(sign));
 }
 
+inline std::vector<std::byte> bytes_of(std::string_view text) {
+  std::vector<std::byte> bytes;
+  put_text(bytes, text);
+  return bytes;
+}
+
 }  // namespace inkflate

@@ -16,6 +16,7 @@
 #include "io/monster_mash.h"
 #include "io/numbers.h"
 #include "io/project_files.h"
+#include "io/put_bytes.h"
 #include "io/write_png.h"
 
 namespace inkflate {
@@ -159,11 +160,6 @@ Picture place_template(Picture const& picture, Drawing const& drawing, Affine co
     }
   }
   return placed;
-}
-
-std::vector<std::byte> bytes_of(std::string_view text) {
-  auto const bytes = std::as_bytes(std::span(text));
-  return {bytes.begin(), bytes.end()};
 }
 
 std::string numbered(std::string_view kind, std::size_t index) {

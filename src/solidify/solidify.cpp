@@ -37,14 +37,12 @@ std::vector<int> shells_of(TriMesh const& model) {
   return shells;
 }
 
-/// The mesh in mm, standing on z = 0.
-void move_to_mm(TriMesh& mesh, PrintSpace const& space, bool has_flat_base) {
-  double lowest = space.zero.z;
-  if (!has_flat_base && !mesh.points.empty()) {
-    lowest = std::min_element(mesh.points.begin(), mesh.points.end(), [](Vec3 a, Vec3 b) {
-               return a.z < b.z;
-             })->z;
-  }
+/// The mesh, which has points, in mm and standing on z = 0. Not always on the base that was cut: what it cut through may have been a crumb.
+void move_to_mm(TriMesh& mesh, PrintSpace const& space) {
+  double const lowest =
+      std::min_element(mesh.points.begin(), mesh.points.end(), [](Vec3 a, Vec3 b) {
+        return a.z < b.z;
+      })->z;
   for (auto& point : mesh.points)
     point = (point - Vec3{space.zero.x, space.zero.y, lowest}) * space.unit_mm;
 }
@@ -83,7 +81,7 @@ Result<TriMesh> solidify(TriMesh const& model, SolidifyOptions const& options,
   TriMesh& mesh = marched.mesh;
   if (mesh.triangles.empty())
     return Error{ErrorCode::NothingThere, "The model has no inside: there is nothing to print."};
-  move_to_mm(mesh, *space, options.has_flat_base);
+  move_to_mm(mesh, *space);
   return std::move(mesh);
 }
 

@@ -280,7 +280,7 @@ TEST(ReadSvg, AGroupMayBeACopyOfAnother) {
   EXPECT_EQ(sketch.strokes[0].group, 0);
   EXPECT_EQ(sketch.strokes[1].group, 1);
   EXPECT_EQ(sketch.strokes[0].samples[0].position,
-            sketch.strokes[1].samples[0].position + Vec2(5, 0));
+            sketch.strokes[1].samples[0].position + (Vec2{5, 0}));
 }
 
 TEST(ReadSvg, PrefixedDocumentsAreTheSame) {
