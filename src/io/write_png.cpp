@@ -64,6 +64,13 @@ std::vector<std::byte> filtered_rows(std::span<std::uint8_t const> pixels, std::
   std::span<std::uint8_t const> above = zeros;
   for (std::size_t start = 0; start < pixels.size(); start += row_bytes) {
     auto const row = pixels.subspan(start, row_bytes);
+    // Flat areas and straight edges repeat whole rows; nothing packs better than no difference at all.
+    if (std::equal(row.begin(), row.end(), above.begin())) {
+      result.push_back(std::byte{2});
+      result.resize(result.size() + row_bytes);
+      above = row;
+      continue;
+    }
     int best = 0;
     for (int filter = 0; filter < 3; ++filter) {
       auto& filtered = tries[static_cast<std::size_t>(filter)];

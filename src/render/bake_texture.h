@@ -17,8 +17,8 @@ enum class BackDetails {
 };
 
 struct BakeOptions {
-  double texels_per_px = 2;  // > 0: per canvas px; fewer where the picture would become too large
-  int longest_side = 2048;   // 64 .. 16384 texels
+  double texels_per_px = 1.5;  // > 0: per canvas px; fewer where the picture would become too large
+  int longest_side = 2048;     // 64 .. 16384 texels
   int padding = 8;  // 0 .. 64 texels between a layer's bounding box and the border of its rectangle
   OutlineLook outline = OutlineLook::Clean;
   BackDetails back_details = BackDetails::Hidden;

@@ -130,7 +130,8 @@ TEST(BakeTexture, SheetsShareARectangleWhereTheyLookTheSame) {
 
 TEST(BakeTexture, TrianglesKeepTheShapeThatTheyHaveOnTheCanvas) {
   TwoDiscs const discs;
-  auto const texture = bake_texture(discs.drawing, discs.model);
+  double const texels_per_px = 1.25;
+  auto const texture = bake_texture(discs.drawing, discs.model, {.texels_per_px = texels_per_px});
   for (std::size_t t = 0; t < discs.model.faces.size(); ++t) {
     auto const& corners = discs.model.mesh.triangles[t];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -138,8 +139,10 @@ TEST(BakeTexture, TrianglesKeepTheShapeThatTheyHaveOnTheCanvas) {
         return discs.model.canvas[static_cast<std::size_t>(corners[i % 3])];
       };
       Vec2 const worn = texture.corners[t][(k + 1) % 3] - texture.corners[t][k];
-      EXPECT_NEAR(worn.x * texture.picture.width, 2 * (place(k + 1) - place(k)).x, 1e-9);
-      EXPECT_NEAR(worn.y * texture.picture.height, 2 * (place(k + 1) - place(k)).y, 1e-9);
+      EXPECT_NEAR(worn.x * texture.picture.width, texels_per_px * (place(k + 1) - place(k)).x,
+                  1e-9);
+      EXPECT_NEAR(worn.y * texture.picture.height, texels_per_px * (place(k + 1) - place(k)).y,
+                  1e-9);
     }
   }
 }
