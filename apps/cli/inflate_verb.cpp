@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "cli/batch.h"
+#include "cli/console.h"
 #include "cli/files.h"
 #include "cli/inflate_options.h"
 #include "cli/load_project.h"
@@ -15,6 +16,7 @@
 #include "cli/write_drawing.h"
 #include "cli/write_model.h"
 #include "io/json_report.h"
+#include "mesh/check_mesh.h"
 #include "pipeline/stage_clock.h"
 #include "render/bake_texture.h"
 
@@ -130,7 +132,8 @@ struct InflateJob {
   std::string const& path;
   StageClock& clock;
   Progress const& progress;
-  bool is_json = false;
+  SharedOptions const& shared;
+  std::string const& input;
 };
 
 Result<Json> finish_print(InflateJob const& job, Project const& project, RestModel const& model) {
@@ -141,7 +144,12 @@ Result<Json> finish_print(InflateJob const& job, Project const& project, RestMod
     auto const format = std::get<ModelFormat>(job.format);
     if (auto error = write_print(*shell, project.drawing, format, job.path)) return *error;
   }
-  return job.is_json ? report_of(*shell, project, "mm", job.clock) : Json::object();
+  int const pieces = check_mesh(*shell).shells;
+  if (pieces > 1 && !job.shared.is_quiet) {
+    print_warning(job.input, "the print has " + std::to_string(pieces) +
+                                 " pieces that do not touch; draw parts so that they overlap");
+  }
+  return job.shared.is_json ? report_of(*shell, project, "mm", job.clock) : Json::object();
 }
 
 Result<Json> finish_model(InflateJob const& job, Project const& project, RestModel const& model) {
@@ -154,7 +162,7 @@ Result<Json> finish_model(InflateJob const& job, Project const& project, RestMod
                        job.path, job.progress);
   }
   if (error) return *error;
-  return job.is_json ? report_of(model.mesh, project, "px", job.clock) : Json::object();
+  return job.shared.is_json ? report_of(model.mesh, project, "px", job.clock) : Json::object();
 }
 
 Result<Json> inflate_one(InflateCall const& call, InflatePlan const& plan, int index,
@@ -168,8 +176,8 @@ Result<Json> inflate_one(InflateCall const& call, InflatePlan const& plan, int i
   if (auto const error = prepare(*project, choices)) return *error;
   auto const model = run_inflate(project->drawing, choices.inflate, progress);
   if (!model) return model.error();
-  InflateJob const job = {choices,  plan.formats[index], plan.outputs[index], clock,
-                          progress, call.shared.is_json};
+  InflateJob const job = {choices,  plan.formats[index], plan.outputs[index],      clock,
+                          progress, call.shared,         call.shared.inputs[index]};
   return choices.print ? finish_print(job, *project, *model) : finish_model(job, *project, *model);
 }
 

@@ -54,6 +54,22 @@ void keep_unjoined(std::vector<LayerRim> const& planned, std::vector<LayerRim>& 
   }
 }
 
+/// Takes the joints off a host whose mesh cannot have them: their runs are capped. False: it had none.
+bool drop_joints_of(int host, std::vector<PlannedJoint>& plan) {
+  return std::erase_if(plan, [&](PlannedJoint const& joint) { return joint.host == host; }) > 0;
+}
+
+/// Rather a character in two pieces than none at all.
+Result<MeshedLayers> mesh_what_can_be(std::span<LayerRim const> rims,
+                                      std::vector<PlannedJoint>& plan, double unit_px,
+                                      double density) {
+  auto meshed = mesh_layers(rims, plan, unit_px, density);
+  while (!meshed && drop_joints_of(static_cast<int>(meshed.error().index), plan)) {
+    meshed = mesh_layers(rims, plan, unit_px, density);
+  }
+  return meshed;
+}
+
 }  // namespace
 
 Result<FlatModel> assemble(Drawing const& drawing, AssembleOptions const& options,
@@ -75,7 +91,7 @@ Result<FlatModel> assemble(Drawing const& drawing, AssembleOptions const& option
     rims = std::move(joined);
   }
   if (!progress.enter("mesh")) return cancelled;
-  auto meshed = mesh_layers(rims, plan, unit_px, options.density);
+  auto meshed = mesh_what_can_be(rims, plan, unit_px, options.density);
   if (!meshed) return meshed.error();
   if (!progress.enter("stitch")) return cancelled;
   auto model = stitch(std::move(*meshed), options.open);

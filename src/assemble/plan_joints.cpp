@@ -157,11 +157,11 @@ class Planner {
     double const full_px = std::max(kLeastClearance * unit_px_, kClearanceShare * width_px);
     auto const samples = coarse(line);
     double const step_px = std::max(unit_px_, width_px / 32);
-    double const farthest_px = kPushShare * width_px + reach_px;
+    int const steps = static_cast<int>((kPushShare * width_px + reach_px) / step_px);
     for (double const factor : kClearanceFactors) {
       double const wanted_px = factor * full_px;
-      for (double push_px = 0; push_px <= farthest_px; push_px += step_px) {
-        auto const push = outward * push_px;
+      for (int step = 0; step <= steps; ++step) {
+        auto const push = outward * (step * step_px);
         double const depth_px = area.least_clearance(moved(samples, push), wanted_px);
         if (depth_px < wanted_px || !is_free(host, limb, moved(line, push), wanted_px)) continue;
         return Place{host, push, std::min(depth_px, width_px / 2)};

@@ -83,6 +83,17 @@ void halve(std::vector<std::vector<double>>& lengths) {
   }
 }
 
+/// A hole that touches itself or another line however finely it is sampled is smaller than what rounding can tell apart.
+void fill_tangled_holes(SampledRim& rim) {
+  for (;;) {
+    auto const crossings = find_crossings(rim.contours(), 1);
+    if (crossings.empty()) return;
+    int const contour = std::max(crossings[0].contour_a, crossings[0].contour_b);
+    if (contour == 0) return;
+    rim.holes.erase(rim.holes.begin() + (contour - 1));
+  }
+}
+
 SampledRim sample_without_crossings(LayerRim const& rim, double unit_px, double density) {
   auto spacing = spacing_of(rim, unit_px, density);
   for (int i = 0; i < kRefinements; ++i) {
@@ -94,6 +105,7 @@ SampledRim sample_without_crossings(LayerRim const& rim, double unit_px, double 
   SampledRim fine;
   for (auto const& run : rim.runs) fine.runs.push_back(run.points);
   fine.holes = rim.holes;
+  fill_tangled_holes(fine);
   return fine;
 }
 

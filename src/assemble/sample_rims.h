@@ -20,7 +20,7 @@ struct SampledRim {
 /// Takes as many points from every rim as its mesh needs: few where a layer is wide, more where it is thin. Open runs get at least three
 /// points, and the same ones on both sides of a mouth. Where the points would make a rim cross itself, more are taken.
 ///
-/// out     one per layer; a rim that crosses itself however finely it is sampled stays so
+/// out     one per layer; an outer rim that crosses itself however finely it is sampled stays so, a hole is filled
 std::vector<SampledRim> sample_rims(std::span<LayerRim const> rims,
                                     std::span<PlannedJoint const> plan, double unit_px,
                                     double density);
