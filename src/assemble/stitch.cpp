@@ -196,9 +196,7 @@ class Stitcher {
       if (k + 2 < rim.vertices.size()) {
         model.caps.push_back({{front(k), front(k + 1), back(k + 1)}, face});
       }
-      if (k > 0)
-        model.caps.push_back(
-            {{front(k), k + 2 < rim.vertices.size() ? back(k + 1) : front(k + 1), back(k)}, face});
+      if (k > 0) model.caps.push_back({{front(k), back(k + 1), back(k)}, face});
     }
   }
 
