@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 
+#include "bytes.h"
 #include "mesh/mesh_region.h"
 #include "mesh/rim_spacing.h"
 #include "support/regions.h"
@@ -13,29 +13,6 @@
 namespace {
 
 using namespace inkflate;
-
-/// The input, byte by byte; zeros after its end.
-class Bytes {
- public:
-  Bytes(std::uint8_t const* data, std::size_t size) : data_(data), size_(size) {}
-
-  bool is_empty() const { return next_ >= size_; }
-  std::uint8_t byte() { return is_empty() ? std::uint8_t{0} : data_[next_++]; }
-
-  /// Any float at all.
-  double number() {
-    std::uint32_t bits = 0;
-    for (int i = 0; i < 4; ++i) bits = bits << 8U | byte();
-    float value = 0;
-    std::memcpy(&value, &bits, sizeof value);
-    return static_cast<double>(value);
-  }
-
- private:
-  std::uint8_t const* data_;
-  std::size_t size_;
-  std::size_t next_ = 0;
-};
 
 /// How the bytes of a coordinate are meant.
 enum class Coordinates {

@@ -24,7 +24,8 @@ struct AssembleOptions {
 ///
 /// in      drawing: its layers have outlines of finite points
 /// out     a model whose sheets form a closed 2-manifold (OpenRuns::Holes apart)
-/// errors  NothingThere (no layer); BadOption; BadInput (an outline crosses itself; index: the layer); Cancelled
+/// errors  NothingThere (no layer, or all of them a single point); BadOption; BadInput (an outline crosses itself or is too thin to be
+///         meshed, a thickness out of range; index: the layer); Cancelled
 /// cost    O(n log n) in the number of vertices
 /// source  docs/algorithms/assemble.md
 Result<FlatModel> assemble(Drawing const& drawing, AssembleOptions const& options = {},
