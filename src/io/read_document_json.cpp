@@ -98,7 +98,7 @@ class JsonTaker {
 
 class DocumentReader {
  public:
-  Result<Document> read(Json const& json) && {
+  Result<DocumentFile> read(Json const& json) && {
     check_version(json);
     if (take_.fault()) return *take_.fault();
     auto& sketch = document_.drawing.sketch;
@@ -269,13 +269,13 @@ class DocumentReader {
   }
 
   JsonTaker take_;
-  Document document_;
+  DocumentFile document_;
   long long sample_count_ = 0;
 };
 
 }  // namespace
 
-Result<Document> read_document_json(std::string_view text) {
+Result<DocumentFile> read_document_json(std::string_view text) {
   auto const json = parse_json(text);
   if (!json) return Error{json.error().code, "document.json: " + json.error().message};
   return DocumentReader().read(*json);

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "io/document.h"
+#include "io/document_file.h"
 
 namespace inkflate {
 
@@ -13,6 +13,6 @@ namespace inkflate {
 /// errors  BadInput (no JSON, or a value that is missing or out of its range; index: the stroke, group or layer), TooLarge
 ///         (JsonLimits; samples), Unsupported (a newer version)
 /// cost    O(bytes)
-Result<Document> read_document_json(std::string_view text);
+Result<DocumentFile> read_document_json(std::string_view text);
 
 }  // namespace inkflate

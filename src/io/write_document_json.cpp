@@ -92,7 +92,7 @@ Json layer_json(Layer const& layer) {
 
 }  // namespace
 
-std::string write_document_json(Document const& document) {
+std::string write_document_json(DocumentFile const& document) {
   auto const& sketch = document.drawing.sketch;
   Json json;
   json["format"] = kDocumentFormat;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "io/document.h"
+#include "io/document_file.h"
 
 namespace inkflate {
 
@@ -12,6 +12,6 @@ namespace inkflate {
 /// in      numbers finite and in the ranges of the model, indices in range; pieces of an outline join; names in UTF-8
 ///         (other bytes become U+FFFD)
 /// cost    O(samples + pieces)
-std::string write_document_json(Document const& document);
+std::string write_document_json(DocumentFile const& document);
 
 }  // namespace inkflate

@@ -47,6 +47,18 @@ struct Outline {
   friend bool operator==(Outline const&, Outline const&) = default;
 };
 
+/// How a person wants gaps to be closed.
+struct CloseChoice {
+  std::optional<double> gap_px = {};  // > 0: no closing is longer; none: as simplify finds best
+  std::vector<Vec2> outside = {};     // these places are background
+  std::vector<Vec2> inside = {};      // these places belong to the shape
+
+  friend bool operator==(CloseChoice const&, CloseChoice const&) = default;
+};
+
+/// Names a layer for as long as its document lives, wherever it stands in the order.
+enum class LayerId : int { None = 0 };
+
 /// One part of a character.
 struct Layer {
   std::string name;
@@ -57,15 +69,23 @@ struct Layer {
   double thickness =
       2;  // 0.1 .. 32: c of the inflation; 2 makes limbs round, 4 makes a disc a ball
   std::optional<Colour> fill = {};  // of the layer's area; none: the default of whoever draws it
+  std::vector<int> noise = {};  // strokes drawn with the layer that are neither outline nor detail
+  CloseChoice choice = {};      // with which its gaps were closed
+  LayerId id = LayerId::None;   // each its own in a document; None: made outside of one
+  bool is_hidden = false;       // not shown, not inflated
+  bool is_locked = false;       // not to be touched by hand
+  bool is_open = false;  // being drawn again: its outlines are those of before, if there are any
 
   friend bool operator==(Layer const&, Layer const&) = default;
 };
 
-/// A sketch together with what simplify made of it. Every stroke is in the strokes or details of exactly one layer, or stray.
+/// A sketch together with what simplify made of it. Every stroke is in the strokes, details or noise of exactly one
+/// layer, or stray.
 struct Drawing {
   Sketch sketch;
   std::vector<Layer> layers;  // back to front
-  std::vector<int> stray;     // strokes that belong to no layer: noise
+  std::vector<int> stray;     // strokes that belong to no layer: noise, or not closed yet
+  CloseChoice choice = {};    // with which the stray ones shall be closed
 
   friend bool operator==(Drawing const&, Drawing const&) = default;
 };

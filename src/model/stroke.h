@@ -24,6 +24,12 @@ enum class StrokeKind {
   HelpLine,  // closes a shape where its outline is open; not drawn
 };
 
+/// Where the part that a stroke draws shall lie.
+enum class StrokeDepth {
+  Near,  // in front of all others
+  Far,   // behind all others
+};
+
 /// One line of the pen, from press to lift. A single sample is a dot.
 struct Stroke {
   std::vector<Sample> samples;
@@ -31,6 +37,7 @@ struct Stroke {
   double width_px = 2;
   Colour colour;
   int group = -1;  // index into Sketch::groups; -1: none
+  StrokeDepth depth = StrokeDepth::Near;
 
   friend bool operator==(Stroke const&, Stroke const&) = default;
 };

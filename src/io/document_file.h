@@ -9,11 +9,11 @@
 namespace inkflate {
 
 /// What document.json holds. Pictures lie beside it, as files of the same archive.
-struct Document {
+struct DocumentFile {
   Drawing drawing;
   std::string template_name = {};  // of the template picture's file; empty: none
 
-  friend bool operator==(Document const&, Document const&) = default;
+  friend bool operator==(DocumentFile const&, DocumentFile const&) = default;
 };
 
 /// How document.json is known, and the version that we write: also the newest that we read. docs/FORMATS.md tells what is in it.

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/affine.h"
+#include "geometry/rect.h"
+#include "model/drawing.h"
+#include "render/draw_model.h"
+
+namespace inkflate {
+
+/// How the paper lies under the window. Immutable: each change gives another camera.
+struct Camera {
+  Vec2 centre = {500, 500};  // the place of the canvas that is in the middle of the view, canvas px
+  double zoom = 1;           // px of the screen for one of the canvas, kLeastZoom .. kLargestZoom
+  bool is_mirrored = false;  // left and right change places on the screen
+
+  friend bool operator==(Camera const&, Camera const&) = default;
+
+  static constexpr double kLeastZoom = 0.02;
+  static constexpr double kLargestZoom = 64;
+};
+
+struct ViewSize {
+  double width_px = 1000;
+  double height_px = 1000;
+
+  friend bool operator==(ViewSize const&, ViewSize const&) = default;
+};
+
+Affine canvas_to_screen(Camera const& camera, ViewSize const& size);
+Vec2 to_canvas(Camera const& camera, ViewSize const& size, Vec2 screen);
+
+/// The paper follows the hand: moved by a stretch of the screen.
+Camera panned(Camera const& camera, Vec2 screen_delta);
+/// Larger by a factor, with the place under the pointer staying where it is. The zoom stays within its limits, and the paper within reach.
+Camera zoomed(Camera const& camera, ViewSize const& size, Vec2 screen, double factor);
+/// So that a rectangle of the canvas fills the view but for a margin.
+Camera fitted(Camera const& camera, ViewSize const& size, Rect const& box);
+Camera mirrored(Camera const& camera);
+
+enum class Mode { Draw, Inflate, Animate };
+
+enum class Tool { Brush, HelpLine, Eraser, Mark, Select, Hand };
+
+/// How a person works, which no document knows.
+struct ToolSettings {
+  double brush_px = 3;  // width of strokes, canvas px, 0.5 .. 100
+  Colour ink = {0x22, 0x24, 0x2b};
+  double smoothing = 0.5;  // 0 .. 1: how much of the hand's tremble is taken out
+  double eraser_px = 12;   // radius on the screen, 1 .. 200
+
+  friend bool operator==(ToolSettings const&, ToolSettings const&) = default;
+};
+
+/// What is looked at and how; none of it is in the document.
+struct View {
+  ViewSize size;
+  Camera camera;
+  Mode mode = Mode::Draw;
+  Tool tool = Tool::Brush;
+  ToolSettings settings;
+  std::vector<LayerId> selection;  // ascending
+  LayerId hover = LayerId::None;
+  bool has_grid = true;  // lines of the paper
+  ModelView model;       // modes Inflate and Animate
+  Shading shading = Shading::Textured;
+};
+
+bool is_selected(View const& view, LayerId layer);
+
+}  // namespace inkflate
