@@ -75,7 +75,6 @@ TEST(Inkflate, DocumentsAreReadAsTheyAreSpecified) {
   ASSERT_TRUE(document.has_value()) << document.error().message;
   auto const& sketch = document->drawing.sketch;
   auto const& layers = document->drawing.layers;
-  auto const& stray = document->drawing.stray;
   EXPECT_EQ(sketch.width_px, 300);
   EXPECT_EQ(sketch.groups, (std::vector<StrokeGroup>{{"leg", Colour{1, 2, 3, 4}, 3}}));
   ASSERT_EQ(sketch.strokes.size(), 1U);

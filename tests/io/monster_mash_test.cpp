@@ -151,7 +151,6 @@ TEST(ReadMonsterMash, RunsAreStrokesThatTheOutlineComesFrom) {
   auto const project = read_or_fail(raw_zip(entries_of({circle({300, 400}, 100, 280)}, "")));
   auto const& sketch = project.drawing.sketch;
   auto const& layers = project.drawing.layers;
-  auto const& stray = project.drawing.stray;
   ASSERT_EQ(sketch.strokes.size(), 2U);
   EXPECT_EQ(layers.at(0).strokes, (std::vector<int>{0, 1}));
   EXPECT_NE(sketch.strokes[0].kind, sketch.strokes[1].kind);
