@@ -21,6 +21,7 @@ struct Camera {
 
   static constexpr double kLeastZoom = 0.02;
   static constexpr double kLargestZoom = 64;
+  static constexpr double kReachPx = 1e6;  // of the centre: no coordinate of a drawing is larger
 };
 
 struct ViewSize {
@@ -30,6 +31,9 @@ struct ViewSize {
   friend bool operator==(ViewSize const&, ViewSize const&) = default;
 };
 
+/// Of all that follows: camera and size are finite; a stretch, place, factor or box that is not, or that means nothing, leaves the
+/// camera as it was.
+
 Affine canvas_to_screen(Camera const& camera, ViewSize const& size);
 Vec2 to_canvas(Camera const& camera, ViewSize const& size, Vec2 screen);
 
@@ -37,8 +41,9 @@ Vec2 to_canvas(Camera const& camera, ViewSize const& size, Vec2 screen);
 Camera panned(Camera const& camera, Vec2 screen_delta);
 /// Larger by a factor, with the place under the pointer staying where it is. The zoom stays within its limits, and the paper within reach.
 Camera zoomed(Camera const& camera, ViewSize const& size, Vec2 screen, double factor);
-/// So that a rectangle of the canvas fills the view but for a margin.
+/// So that a rectangle of the canvas fills the view but for a margin; a single place comes to the middle.
 Camera fitted(Camera const& camera, ViewSize const& size, Rect const& box);
+/// Left and right change places; the middle of the view stays.
 Camera mirrored(Camera const& camera);
 
 enum class Mode { Draw, Inflate, Animate };
