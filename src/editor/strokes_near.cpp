@@ -14,13 +14,17 @@ double squared_distance_between_segments(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
                    squared_distance_to_segment(c, a, b), squared_distance_to_segment(d, a, b)});
 }
 
+// An eraser that only touches a line leaves it as it is: ends of strokes that it has cut lie on its edge, up to rounding. Of the
+// radius, for small ones; in px for others.
+constexpr double kTouch = 2e-6;
+
 bool is_near(Stroke const& stroke, Vec2 from, Vec2 to, double radius_px) {
+  double const reach_px = radius_px - kTouch * std::min(1.0, radius_px);
   auto const& samples = stroke.samples;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     auto const before = samples[i == 0 ? 0 : i - 1].position;
-    // An eraser that only touches a line leaves it as it is, so equal does not count.
     if (squared_distance_between_segments(before, samples[i].position, from, to) <
-        radius_px * radius_px) {
+        reach_px * reach_px) {
       return true;
     }
   }
@@ -55,7 +59,7 @@ std::vector<StrokeRef> strokes_near(Document const& document, Vec2 from, Vec2 to
   };
   add(LayerId::None, document.loose);
   for (auto const& layer : *document.layers) {
-    if (layer->layer.is_open) add(layer->layer.id, layer->strokes);
+    if (layer->layer.is_open && is_pickable(*layer)) add(layer->layer.id, layer->strokes);
   }
   return found;
 }
