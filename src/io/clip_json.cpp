@@ -65,7 +65,8 @@ Track take_track(JsonTaker& take, nlohmann::json const& json) {
   }
   for (std::size_t i = 0; i < times.size(); ++i) {
     double const time_s = take.number(&times[i], "times", 0, kAnyNumber);
-    if (i > 0 && time_s <= track.keys.back().time_s) take.fail("the times of a track do not ascend");
+    if (i > 0 && time_s <= track.keys.back().time_s)
+      take.fail("the times of a track do not ascend");
     track.keys.push_back({time_s, positions[i]});
   }
   return track;

@@ -33,8 +33,7 @@ JsonTaker::Json::array_t const& JsonTaker::list(Json const& object, char const* 
 
 JsonTaker::Json::array_t const* JsonTaker::tuple(Json const* value, char const* name,
                                                  std::size_t count) {
-  auto const* const elements =
-      value == nullptr ? nullptr : value->get_ptr<Json::array_t const*>();
+  auto const* const elements = value == nullptr ? nullptr : value->get_ptr<Json::array_t const*>();
   if (elements != nullptr && elements->size() == count) return elements;
   fail(std::string(name) + " is missing or no list of " + std::to_string(count));
   return nullptr;

@@ -63,8 +63,7 @@ Json stroke_json(Stroke const& stroke) {
 
 Stroke take_stroke(JsonTaker& take, nlohmann::json const& json, std::ptrdiff_t group_count) {
   Stroke stroke;
-  stroke.kind =
-      take.kind(take.find(json, "kind"), "kind", {StrokeKind::Ink, StrokeKind::HelpLine});
+  stroke.kind = take.kind(take.find(json, "kind"), "kind", {StrokeKind::Ink, StrokeKind::HelpLine});
   stroke.width_px = take.number(take.find(json, "width"), "width", 0, kCoordinateLimit);
   stroke.colour = take.colour(take.find(json, "colour"), "colour");
   if (auto const* const group = take.find(json, "group")) {
