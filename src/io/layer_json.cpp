@@ -103,7 +103,8 @@ CloseChoice take_choice(JsonTaker& take, nlohmann::json const& json) {
   if (!json.is_object()) take.fail("choice is no object");
   CloseChoice choice;
   if (auto const* const gap = take.find(json, "gap")) {
-    choice.gap_px = take.number(gap, "gap", std::numeric_limits<double>::denorm_min(), kAnyNumber);
+    choice.gap_px =
+        take.number(gap, "gap", std::numeric_limits<double>::denorm_min(), kCoordinateLimit);
   }
   choice.outside = take.points(json, "outside", kCoordinateLimit);
   choice.inside = take.points(json, "inside", kCoordinateLimit);

@@ -129,7 +129,9 @@ bool parse_points(std::string_view text, std::vector<Vec2>& points) {
 bool parse_choice(SvgElement const& element, CloseChoice& choice) {
   if (auto text = element.find("inkflate:gap")) {
     double gap_px = 0;
-    if (!take_finite(*text, gap_px) || !(gap_px > 0) || !text->empty()) return false;
+    if (!take_finite(*text, gap_px) || !(gap_px > 0 && gap_px <= kCoordinateLimit) ||
+        !text->empty())
+      return false;
     choice.gap_px = gap_px;
   }
   return parse_points(element["inkflate:outside"], choice.outside) &&
