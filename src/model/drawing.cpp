@@ -22,6 +22,22 @@ Drawing shown(Drawing drawing) {
   return drawing;
 }
 
+Sketch shown_sketch(Drawing const& drawing) {
+  auto sketch = drawing.sketch;
+  std::vector<bool> is_hidden(sketch.strokes.size());
+  for (auto const& layer : drawing.layers) {
+    if (!layer.is_hidden) continue;
+    for (auto const* strokes : {&layer.strokes, &layer.details, &layer.noise}) {
+      for (int const stroke : *strokes) is_hidden[stroke] = true;
+    }
+  }
+  sketch.strokes.clear();
+  for (std::size_t i = 0; i < is_hidden.size(); ++i) {
+    if (!is_hidden[i]) sketch.strokes.push_back(drawing.sketch.strokes[i]);
+  }
+  return sketch;
+}
+
 void duplicate_behind(Drawing& drawing, int layer) {
   auto copy = drawing.layers[layer];
   copy.name += " copy";

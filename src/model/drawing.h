@@ -96,6 +96,9 @@ bool is_shown(Layer const& layer);
 /// The drawing with these layers alone. All strokes stay, so that indices mean the same.
 Drawing shown(Drawing drawing);
 
+/// The strokes of the drawing, but for those of hidden layers.
+Sketch shown_sketch(Drawing const& drawing);
+
 /// Puts a copy of a layer behind all others, named "NAME copy": the far leg of a pair. Its strokes are copied too, into a group
 /// of their own. The copy has no id.
 void duplicate_behind(Drawing& drawing, int layer);
