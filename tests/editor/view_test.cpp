@@ -67,12 +67,12 @@ TEST(Camera, ZoomKeepsThePlaceUnderThePointer) {
 }
 
 TEST(Camera, ZoomStaysWithinItsLimits) {
-  EXPECT_EQ(zoomed({}, kSize, {}, 1e300).zoom, Camera::kLargestZoom);
-  EXPECT_EQ(zoomed({}, kSize, {}, 1e-300).zoom, Camera::kLeastZoom);
+  EXPECT_EQ(zoomed(Camera(), kSize, Vec2(), 1e300).zoom, Camera::kLargestZoom);
+  EXPECT_EQ(zoomed(Camera(), kSize, Vec2(), 1e-300).zoom, Camera::kLeastZoom);
 }
 
 TEST(Camera, PaperStaysWithinReach) {
-  auto const far = panned({}, {1e308, -1e308});
+  auto const far = panned(Camera(), {1e308, -1e308});
   EXPECT_EQ(far.centre, Vec2(-1e6, 1e6));
   auto const farther = zoomed(far, kSize, {1e308, 1e308}, 0.5);
   EXPECT_EQ(farther.centre, Vec2(-1e6, -1e6));
