@@ -61,7 +61,7 @@ LayerShape layer_shape(Layer const& layer) {
   LayerShape shape;
   for (auto const& outline : layer.outlines) {
     shape.contours.push_back(flatten(outline, kTolerance_px));
-    shape.box.include(bounds(shape.contours.back()));
+    shape.box = united(shape.box, bounds(shape.contours.back()));
   }
   return shape;
 }
