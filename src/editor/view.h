@@ -67,10 +67,18 @@ struct ToolSettings {
   double brush_px = 3;  // width of strokes, canvas px, 0.5 .. 100
   Colour ink = {0x22, 0x24, 0x2b};
   double smoothing = 0.5;  // 0 .. 1: how much of the hand's tremble is taken out
-  double eraser_px = 12;   // radius on the screen, 1 .. 200
+  double eraser_px = 12;   // radius on the screen
+
+  static constexpr double kLeastBrushPx = 0.5;
+  static constexpr double kLargestBrushPx = 100;
+  static constexpr double kLeastEraserPx = 1;
+  static constexpr double kLargestEraserPx = 200;
 
   friend bool operator==(ToolSettings const&, ToolSettings const&) = default;
 };
+
+inline constexpr double kLeastModelZoom = 0.1;
+inline constexpr double kLargestModelZoom = 20;
 
 /// What is looked at and how; none of it is in the document.
 struct View {
