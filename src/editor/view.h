@@ -75,9 +75,6 @@ struct ToolSettings {
   friend bool operator==(ToolSettings const&, ToolSettings const&) = default;
 };
 
-inline constexpr double kLeastModelZoom = 0.1;
-inline constexpr double kLargestModelZoom = 20;
-
 /// What is looked at and how; none of it is in the document.
 struct View {
   ViewSize size;
