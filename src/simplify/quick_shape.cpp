@@ -46,8 +46,7 @@ Polyline chain_points(RimChain const& chain, Contour const& centred) {
   return points;
 }
 
-void append_rim(Rim const& rim, Contour const& centred, WorkSpace const& space,
-                QuickShape& shape) {
+void append_rim(Rim const& rim, Contour const& centred, WorkSpace const& space, QuickShape& shape) {
   auto const chains = cut_rim(rim, centred);
   Contour contour;
   std::vector<Polyline> closings;
@@ -75,6 +74,7 @@ void append_rim(Rim const& rim, Contour const& centred, WorkSpace const& space,
   std::move(closings.begin(), closings.end(), std::back_inserter(shape.closings));
 }
 
+/// The parts of one group.
 void append_parts(CutParts const& cut, WorkSpace const& space, QuickShape& shape) {
   auto const& samples = cut.cells.samples;
   std::vector<Vec2> places;
@@ -84,6 +84,8 @@ void append_parts(CutParts const& cut, WorkSpace const& space, QuickShape& shape
   for (auto const& part : cut.parts) {
     for (auto const& rim : part) append_rim(rim, centre_rim(rim, samples, grid), space, shape);
   }
+  int const area = shape.areas.empty() ? 0 : shape.areas.back() + 1;
+  shape.areas.resize(shape.contours.size(), area);
 }
 
 }  // namespace
