@@ -6,8 +6,7 @@
 namespace inkflate {
 namespace {
 
-/// Squares as large as the distance, each with the last sample that was kept in it. More than one can only be kept in opposite corners; one
-/// that is forgotten may cost a sample that could have been left out.
+/// Squares as large as the distance, each with the samples that were kept in it.
 class KeptSquares {
  public:
   KeptSquares(StrokeSamples const& samples, double distance_px) : distance_px_(distance_px) {
@@ -25,17 +24,23 @@ class KeptSquares {
     int const y = row(p.y);
     for (int j = y - 1; j <= y + 1; ++j) {
       for (int i = x - 1; i <= x + 1; ++i) {
-        int const k = last_.at(i, j);
-        if (k >= 0 && squared_norm(kept.points[k].position - p) < distance_px_ * distance_px_ &&
-            !differs(k)) {
-          return true;
+        for (int k = last_.at(i, j); k >= 0; k = before_[k]) {
+          if (squared_norm(kept.points[k].position - p) < distance_px_ * distance_px_ &&
+              !differs(k)) {
+            return true;
+          }
         }
       }
     }
     return false;
   }
 
-  void keep(Vec2 p, int index) { last_.at(column(p.x), row(p.y)) = index; }
+  /// index: that of the next one kept.
+  void keep(Vec2 p, int index) {
+    int& last = last_.at(column(p.x), row(p.y));
+    before_.push_back(last);
+    last = index;
+  }
 
  private:
   // The first column and row stay empty, as do the last ones.
@@ -44,7 +49,8 @@ class KeptSquares {
 
   double distance_px_;
   Vec2 origin_;
-  Grid2<int> last_;
+  Grid2<int> last_;          // per square; -1: none
+  std::vector<int> before_;  // per kept sample: the one before it in its square; -1: none
 };
 
 }  // namespace
