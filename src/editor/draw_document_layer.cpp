@@ -6,6 +6,7 @@
 
 #include "editor/scene_strokes.h"
 #include "render/draw_outline.h"
+#include "render/ink_line.h"
 #include "render/mean_pen.h"
 
 namespace inkflate {
@@ -84,7 +85,9 @@ DrawList draw_closed_layer(DocumentLayer const& layer, double tolerance_px) {
   for (int const index : layer.layer.details) {
     auto const& detail = stroke_at(layer, index);
     if (detail.kind == StrokeKind::HelpLine || detail.samples.empty()) continue;
-    list.push_back(detail_line(detail, pen));
+    auto line = ink_line(detail);
+    line.limits.least_px = kThinnestLinePx;
+    list.push_back(std::move(line));
   }
   append(list, outline_lines(layer.layer.outlines, pen));
   return list;

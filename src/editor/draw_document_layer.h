@@ -8,7 +8,7 @@ namespace inkflate {
 
 /// The draw lists of one layer, on the canvas. tolerance_px: how far lines may be from their curves.
 
-/// A closed layer: its area, opaque, so that it hides what lies behind; details; outlines by their runs in the ink that they were drawn with.
+/// A closed layer: its area, opaque, so that it hides what lies behind; details as they were drawn; outlines by their runs in the ink that they were drawn with.
 DrawList draw_closed_layer(DocumentLayer const& layer, double tolerance_px);
 
 /// The lines of a list once more, as faint as what shines through.

@@ -4,11 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "document/apply.h"
+#include "geometry/trig.h"
+
 namespace inkflate {
 namespace {
 
 /// The share of the view that a fitted box fills; the rest is margin.
 constexpr double kFittedShare = 0.88;
+
+/// How far the middle of the model may lie from the middle of the view: at its largest it is as far across.
+constexpr double kModelReachPx = 1e5;
 
 Vec2 half_of(ViewSize const& size) { return {size.width_px / 2, size.height_px / 2}; }
 
@@ -16,9 +22,16 @@ Vec2 half_of(ViewSize const& size) { return {size.width_px / 2, size.height_px /
 Vec2 unmirrored(Camera const& camera, Vec2 v) { return camera.is_mirrored ? Vec2{-v.x, v.y} : v; }
 
 Camera centred_at(Camera camera, Vec2 centre) {
-  camera.centre = {std::clamp(centre.x, -Camera::kReachPx, Camera::kReachPx),
-                   std::clamp(centre.y, -Camera::kReachPx, Camera::kReachPx)};
+  double const reach_px = DocumentLimits::kFarthestPx;
+  camera.centre = {std::clamp(centre.x, -reach_px, reach_px),
+                   std::clamp(centre.y, -reach_px, reach_px)};
   return camera;
+}
+
+ModelView moved_to(ModelView model, Vec2 pan_px) {
+  model.pan_px = {std::clamp(pan_px.x, -kModelReachPx, kModelReachPx),
+                  std::clamp(pan_px.y, -kModelReachPx, kModelReachPx)};
+  return model;
 }
 
 double clamped_zoom(double zoom) {
@@ -51,7 +64,7 @@ Camera zoomed(Camera const& camera, ViewSize const& size, Vec2 screen, double fa
   if (!is_finite(screen) || !std::isfinite(factor) || factor <= 0) return camera;
   auto next = camera;
   next.zoom = clamped_zoom(camera.zoom * factor);
-  // The difference of the two distances to the pointer, not of two places: exact also far from the origin.
+  // The difference of the two distances to the pointer, not of two places: exact far from the origin too.
   auto const to_pointer = unmirrored(camera, screen - half_of(size));
   return centred_at(next, camera.centre + to_pointer * (1 / camera.zoom - 1 / next.zoom));
 }
@@ -72,6 +85,28 @@ Camera mirrored(Camera const& camera) {
   auto next = camera;
   next.is_mirrored = !camera.is_mirrored;
   return next;
+}
+
+ModelView turned(ModelView const& model, double turn_rad, double tilt_rad) {
+  if (!std::isfinite(turn_rad) || !std::isfinite(tilt_rad)) return model;
+  auto next = model;
+  double const turn = model.turn_rad + turn_rad;
+  next.turn_rad = turn - 2 * kPi * std::floor(turn / (2 * kPi) + 0.5);
+  next.tilt_rad = std::clamp(model.tilt_rad + tilt_rad, -kPi / 2, kPi / 2);
+  return next;
+}
+
+ModelView panned(ModelView const& model, Vec2 screen_delta) {
+  if (!is_finite(screen_delta)) return model;
+  return moved_to(model, model.pan_px + screen_delta);
+}
+
+ModelView zoomed(ModelView const& model, ViewSize const& size, Vec2 screen, double factor) {
+  if (!is_finite(screen) || !std::isfinite(factor) || factor <= 0) return model;
+  auto next = model;
+  next.zoom = std::clamp(model.zoom * factor, kLeastModelZoom, kLargestModelZoom);
+  auto const pointer = screen - half_of(size);
+  return moved_to(next, pointer + (model.pan_px - pointer) * (next.zoom / model.zoom));
 }
 
 bool is_selected(View const& view, LayerId layer) {

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/draw_outline.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "render/ink_line.h"
 #include "render/line_pattern.h"
 
 namespace inkflate {
 namespace {
-
-/// How wide a detail is at most, as a share of the outline.
-constexpr double kDetailShare = 0.6;
 
 StrokedPolyline run_line(Run run, OutlinePen const& pen) {
   StrokedPolyline line;
@@ -44,13 +39,6 @@ DrawList outline_lines(std::vector<Outline> const& outlines, OutlinePen const& p
     for (auto& run : runs(outline, pen.tolerance_px)) list.push_back(run_line(std::move(run), pen));
   }
   return list;
-}
-
-StrokedPolyline detail_line(Stroke stroke, OutlinePen const& pen) {
-  stroke.width_px = std::min(stroke.width_px, kDetailShare * pen.width_px);
-  auto line = shown_line(stroke);
-  line.limits = pen.limits;
-  return line;
 }
 
 }  // namespace inkflate

@@ -23,7 +23,4 @@ FilledPath outline_area(std::vector<Outline> const& outlines, double tolerance_p
 /// The outlines by their runs: ink as lines, closings dotted, help-line runs dashed.
 DrawList outline_lines(std::vector<Outline> const& outlines, OutlinePen const& pen);
 
-/// A stroke that lies on a layer, thinner than the layer's outline; help lines are dashed.
-StrokedPolyline detail_line(Stroke stroke, OutlinePen const& pen);
-
 }  // namespace inkflate
