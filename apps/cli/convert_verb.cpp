@@ -80,14 +80,14 @@ Result<Json> convert_one(ConvertCall const& call, ConvertPlan const& plan, int i
   auto document = load_document(call.shared, call.shared.inputs[index], progress);
   if (!document) return document.error();
   auto const format = plan.formats[index];
-  bool const is_picture = format == DrawingFormat::Mask && !call.wants_mask;
+  bool const is_picture = format == DrawingFormat::MaskPicture && !call.wants_mask;
   bool const needs_layers =
-      format == DrawingFormat::MonsterMash || (format == DrawingFormat::Mask && !is_picture);
+      format == DrawingFormat::MonsterMash || (format == DrawingFormat::MaskPicture && !is_picture);
   auto const project = project_for(*document, needs_layers, progress);
   if (!project) return project.error();
   progress.report("write");
   auto const& output = plan.outputs[index];
-  auto const error = is_picture ? write_drawing_picture(project->drawing, output)
+  auto const error = is_picture ? save_drawing_picture(project->drawing, output)
                                 : write_drawing(*project, format, output);
   if (error) return *error;
   clock.stop();

@@ -6,7 +6,7 @@
 
 #include "cli/batch.h"
 #include "cli/files.h"
-#include "cli/read_document.h"
+#include "io/read_document.h"
 #include "cli/verb.h"
 #include "geometry/polyline.h"
 #include "io/numbers.h"

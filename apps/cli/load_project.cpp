@@ -32,4 +32,9 @@ Result<Project> load_project(SharedOptions const& options, std::string const& in
   return std::move(document->project);
 }
 
+SketchSource sketch_source(ReadDocument const& document) {
+  if (document.scan) return *document.scan;
+  return document.project.drawing.sketch;
+}
+
 }  // namespace inkflate::cli

@@ -75,7 +75,7 @@ std::optional<Error> write_outputs(Project const& project, SimplifyPlan const& p
     if (auto error = write_drawing(project, plan.formats[index], output)) return error;
   }
   auto const& picture = plan.pictures[index];
-  return picture.empty() ? std::nullopt : write_drawing_picture(project.drawing, picture);
+  return picture.empty() ? std::nullopt : save_drawing_picture(project.drawing, picture);
 }
 
 Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, int index,

@@ -73,7 +73,8 @@ constexpr char const* kDocument = R"({
 TEST(Inkflate, DocumentsAreReadAsTheyAreSpecified) {
   auto const document = read_document_json(kDocument);
   ASSERT_TRUE(document.has_value()) << document.error().message;
-  auto const& [sketch, layers, stray] = document->drawing;
+  auto const& sketch = document->drawing.sketch;
+  auto const& layers = document->drawing.layers;
   EXPECT_EQ(sketch.width_px, 300);
   EXPECT_EQ(sketch.groups, (std::vector<StrokeGroup>{{"leg", Colour{1, 2, 3, 4}, 3}}));
   ASSERT_EQ(sketch.strokes.size(), 1U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/read_document.h"
+#include "io/read_document.h"
 
 #include <utility>
 
@@ -9,7 +9,7 @@
 #include "io/read_scap.h"
 #include "io/read_svg.h"
 
-namespace inkflate::cli {
+namespace inkflate {
 namespace {
 
 std::string sentence(SvgWarning const& warning) {
@@ -74,9 +74,4 @@ Result<ReadDocument> read_document(std::span<std::byte const> content) {
 
 bool has_layers(ReadDocument const& document) { return !document.project.drawing.layers.empty(); }
 
-SketchSource sketch_source(ReadDocument const& document) {
-  if (document.scan) return *document.scan;
-  return document.project.drawing.sketch;
-}
-
-}  // namespace inkflate::cli
+}  // namespace inkflate
