@@ -25,6 +25,23 @@ struct Rect {
     min = {std::min(min.x, p.x), std::min(min.y, p.y)};
     max = {std::max(max.x, p.x), std::max(max.y, p.y)};
   }
+  void include(Rect const& other) {
+    min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y)};
+    max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y)};
+  }
+  /// Larger on every side; one that is empty stays so.
+  Rect grown(double margin) const {
+    return is_empty() ? *this : Rect{min - Vec2{margin, margin}, max + Vec2{margin, margin}};
+  }
 };
+
+inline bool contains(Rect const& rect, Vec2 p) {
+  return rect.min.x <= p.x && p.x <= rect.max.x && rect.min.y <= p.y && p.y <= rect.max.y;
+}
+
+/// Whether they have a point in common; an empty one has none.
+inline bool touch(Rect const& a, Rect const& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
 
 }  // namespace inkflate

@@ -63,11 +63,13 @@ std::vector<Part> nest(std::vector<Contour> const& contours) {
 
 Error cancelled() { return {ErrorCode::Cancelled, "stopped on request"}; }
 
-CutOptions cut_options(SimplifyOptions const& options, WorkSpace const& space) {
+CutOptions cut_options(SimplifyOptions const& options, WorkSpace const& space, Cells const& cells) {
   CutOptions cut;
   if (options.gap_px) cut.gap_px = *options.gap_px * space.to_work;
   for (auto const mark : options.outside) cut.outside.push_back(space.work_point(mark));
   for (auto const mark : options.inside) cut.inside.push_back(space.work_point(mark));
+  if (options.marks_beyond == MarksBeyond::PassOver || options.parts == Parts::Groups)
+    std::erase_if(cut.inside, [&](Vec2 mark) { return find_cell(cells, mark) < 0; });
   return cut;
 }
 
@@ -127,7 +129,7 @@ Result<CutParts> cut_parts(Sketch const& sketch, StrokeSamples samples, WorkSpac
   result.cells = make_cells(std::move(samples));
   auto const& cells = result.cells;
   if (!progress.enter("cut")) return cancelled();
-  auto const cut = cut_options(options, space);
+  auto const cut = cut_options(options, space, cells);
   auto inside = label_cells(cells, cut);
   if (!inside) return inside.error();
   if (options.holes == Holes::Keep) {

@@ -108,13 +108,10 @@ class MouthCloser {
            kOutsideShare * static_cast<double>(samples.points.size());
   }
 
-  /// Empty where an inside mark lies beyond the limb: that one stays as it is.
   Result<CutParts> cut_along(StrokeSamples samples, std::vector<Chord> const& chords) const {
     int stroke = static_cast<int>(std::ssize(sketch_.strokes));
     for (auto const& chord : chords) append_chord(chord, stroke++, samples);
-    auto cut = cut_parts(sketch_, std::move(samples), space_, options_, quiet_);
-    if (!cut && cut.error().code == ErrorCode::BadOption) return CutParts{};
-    return cut;
+    return cut_parts(sketch_, std::move(samples), space_, options_, quiet_);
   }
 
   /// The chords that make the limb clearly larger, the best one first; no end twice.

@@ -27,11 +27,17 @@ enum class Parts {
   // is_candidate_layer. Limbs that are open towards the layer of another group are closed there (limb_mouths.h)
 };
 
+enum class MarksBeyond {
+  Refuse,    // an inside mark beyond the strokes is a mistake
+  PassOver,  // it means nothing; always so with Parts::Groups, where a mark is meant for one of the groups
+};
+
 struct SimplifyOptions {
   SimplifyMethod method = SimplifyMethod::Cut;
   std::optional<double> gap_px = {};  // > 0: no closing is longer; none: as the energy balances
   std::vector<Vec2> outside = {};     // these places are background
   std::vector<Vec2> inside = {};      // these places belong to the shape
+  MarksBeyond marks_beyond = MarksBeyond::Refuse;  // method cut only
   Holes holes = Holes::Keep;
   Parts parts = Parts::All;
   double smooth = 0.5;  // 0 .. 1: how far a contour may leave the pen's jitter to be smooth
