@@ -47,9 +47,8 @@ Result<ConvertPlan> make_plan(ConvertCall const& call) {
   return plan;
 }
 
-/// The layers that are there, or else in the way the sketch means them: by its groups, where it has some.
+/// In the way the sketch means it: by its groups, where it has some.
 Result<Drawing> closed(ReadDocument const& document, Progress const& progress) {
-  if (has_layers(document)) return document.project.drawing;
   auto const& groups = document.project.drawing.sketch.groups;
   RunSimplifyOptions options;
   if (std::any_of(groups.begin(), groups.end(), is_candidate_layer)) {
@@ -60,7 +59,7 @@ Result<Drawing> closed(ReadDocument const& document, Progress const& progress) {
 
 /// What the format needs, and nothing made that the file does not have: a scan becomes strokes, strokes stay as they are.
 Result<Project> project_for(ReadDocument& document, bool needs_layers, Progress const& progress) {
-  if (needs_layers) {
+  if (needs_layers && !has_layers(document)) {
     auto drawing = closed(document, progress);
     if (!drawing) return drawing.error();
     return Project{std::move(*drawing), std::move(document.project.template_picture)};

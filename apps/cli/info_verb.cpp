@@ -6,10 +6,10 @@
 
 #include "cli/batch.h"
 #include "cli/files.h"
-#include "io/read_document.h"
 #include "cli/verb.h"
 #include "geometry/polyline.h"
 #include "io/numbers.h"
+#include "io/read_document.h"
 #include "io/svg_colour.h"
 
 namespace inkflate::cli {

@@ -34,7 +34,7 @@ Result<Project> load_project(SharedOptions const& options, std::string const& in
 
 SketchSource sketch_source(ReadDocument const& document) {
   if (document.scan) return *document.scan;
-  return document.project.drawing.sketch;
+  return shown_sketch(document.project.drawing);
 }
 
 }  // namespace inkflate::cli

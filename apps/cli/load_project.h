@@ -24,7 +24,7 @@ Result<ReadDocument> load_document(SharedOptions const& options, std::string con
 Result<Project> load_project(SharedOptions const& options, std::string const& input,
                              RunSimplifyOptions const& simplify, Progress const& progress);
 
-/// What simplify starts from.
+/// What simplify starts from: the scan, or all strokes that are not hidden.
 SketchSource sketch_source(ReadDocument const& document);
 
 }  // namespace inkflate::cli

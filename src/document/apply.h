@@ -18,6 +18,8 @@ struct DocumentLimits {
   static constexpr int kKeys = 100'000;       // of a track
   static constexpr int kMarks = 1024;         // of a choice, of each kind
   static constexpr double kFarthestPx = 1e6;  // of any coordinate
+  static constexpr double kClipS = 86400;     // a day
+  static constexpr int kIds = 2'000'000'000;  // that are ever given to layers and pins
 };
 
 /// The document after one command.
@@ -25,6 +27,7 @@ struct DocumentLimits {
 /// errors  BadInput (no such layer, stroke or pin; a layer that is not open; a number not finite or too large: index names the stroke,
 ///         layer or pin), BadOption (a value out of its range), TooLarge (DocumentLimits), NothingThere (a command that would change
 ///         nothing: an empty list, an eraser that meets no stroke)
+/// note    call it as inkflate::apply: for a variant or a vector the language also looks into std
 /// cost    O(what changes); an eraser also O(strokes that it could meet)
 Result<Document> apply(Document const& document, Command const& command);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <vector>
 
 #include "base/result.h"
@@ -36,6 +38,16 @@ class History {
 
   int size() const;      // entries, those undone included
   int position() const;  // entries done: 0 .. size()
+
+ private:
+  struct Entry {
+    Document document;
+    int label = -1;  // of the step that made it; -1: the start
+  };
+
+  std::deque<Entry>
+      entries_;  // the start first; a vector would hold twice its memory while it grows
+  std::size_t current_ = 0;
 };
 
 }  // namespace inkflate

@@ -22,8 +22,8 @@ struct ReadDocument {
   std::vector<std::string> warnings = {};  // what of the file was left out
 };
 
-/// Reads strokes (SVG, .scap), a scan (PNG, JPEG) or a project (SVG by write_svg, .inkflate, Monster Mash), by what the bytes are,
-/// not by a name.
+/// Reads strokes (SVG, .scap), a scan (PNG, JPEG) or a project (SVG by write_svg, .inkflate, Monster Mash, the
+/// last document of a journal), by what the bytes are, not by a name.
 ///
 /// errors  those of the readers; Unsupported (another format)
 Result<ReadDocument> read_document(std::span<std::byte const> content);

@@ -50,6 +50,10 @@ void add_run(DrawList& list, Run const& run, double width_px) {
   list.push_back(std::move(line));
 }
 
+void add_strokes(DrawList& list, Sketch const& sketch, std::vector<int> const& strokes) {
+  for (int const index : strokes) add_stroke(list, sketch.strokes[static_cast<std::size_t>(index)]);
+}
+
 void add_layer(DrawList& list, Layer const& layer, Sketch const& sketch, double width_px) {
   FilledPath shape;
   shape.colour = layer.fill.value_or(palette::kShape);
@@ -80,10 +84,16 @@ DrawList draw_drawing(Drawing const& drawing, DrawDrawingOptions const& options)
   DrawList list;
   if (options.rough_strokes == RoughStrokes::Faint) {
     add_faint(list, drawing.sketch, drawing.stray);
-    for (auto const& layer : drawing.layers) add_faint(list, drawing.sketch, layer.strokes);
+    for (auto const& layer : drawing.layers) {
+      if (is_shown(layer)) add_faint(list, drawing.sketch, layer.strokes);
+    }
   }
   for (auto const& layer : drawing.layers) {
-    add_layer(list, layer, drawing.sketch, options.line_width_px);
+    if (is_shown(layer)) {
+      add_layer(list, layer, drawing.sketch, options.line_width_px);
+    } else if (!layer.is_hidden) {
+      add_strokes(list, drawing.sketch, layer.strokes);
+    }
   }
   return list;
 }

@@ -73,8 +73,8 @@ constexpr char const* kDocument = R"({
 TEST(Inkflate, DocumentsAreReadAsTheyAreSpecified) {
   auto const document = read_document_json(kDocument);
   ASSERT_TRUE(document.has_value()) << document.error().message;
-  auto const& sketch = document->drawing.sketch;
-  auto const& layers = document->drawing.layers;
+  auto const& sketch = document->project.drawing.sketch;
+  auto const& layers = document->project.drawing.layers;
   EXPECT_EQ(sketch.width_px, 300);
   EXPECT_EQ(sketch.groups, (std::vector<StrokeGroup>{{"leg", Colour{1, 2, 3, 4}, 3}}));
   ASSERT_EQ(sketch.strokes.size(), 1U);
@@ -92,7 +92,7 @@ TEST(Inkflate, DocumentsAreReadAsTheyAreSpecified) {
 TEST(Inkflate, FilesOfEveryVersionAreRead) {
   auto const project = read_inkflate(as_bytes(test_data("inkflate/version_1.inkflate")));
   ASSERT_TRUE(project.has_value()) << project.error().message;
-  EXPECT_EQ(project->drawing, read_document_json(kDocument)->drawing);
+  EXPECT_EQ(project->drawing, read_document_json(kDocument)->project.drawing);
 }
 
 TEST(Inkflate, DamagedDocumentsAreRefused) {
