@@ -96,8 +96,12 @@ TEST(CommandJson, PicturesKeepTheirPixels) {
 
 TEST(CommandJson, AnotherDocumentComesWhole) {
   Project project;
-  project.drawing.sketch = {320, 200, {}, {Stroke{{{{1, 2}}}}, Stroke{{{{3, 4}}}}}};
-  project.drawing.layers = {{"body", {}, {0}}};
+  project.drawing.sketch = {
+      320,
+      200,
+      {},
+      {Stroke{{{{1, 2}}}, StrokeKind::Ink, 2, {}}, Stroke{{{{3, 4}}}, StrokeKind::Ink, 2, {}}}};
+  project.drawing.layers = {{"body", {}, {0}, {}}};
   project.drawing.layers[0].id = LayerId{4};
   project.drawing.layers[0].is_open = true;
   project.drawing.stray = {1};

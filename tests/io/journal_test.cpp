@@ -13,13 +13,15 @@ namespace {
 
 // A triangle drawn twice, closed once, pinned, moved; now and then taken back.
 std::vector<JournalEntry> story() {
-  auto const line = [](Vec2 a, Vec2 b) { return AddStroke{Stroke{{{a}, {b}}}}; };
+  auto const line = [](Vec2 a, Vec2 b) {
+    return AddStroke{Stroke{{{a}, {b}}, StrokeKind::Ink, 2, {}}};
+  };
   Vec2 const corners[] = {{100, 100}, {300, 100}, {200, 300}};
   Outline outline;
   for (int i = 0; i < 3; ++i) {
     outline.pieces.push_back({line_cubic(corners[i], corners[(i + 1) % 3])});
   }
-  Layer shape = {"body", {outline}, {0, 1}};
+  Layer shape = {"body", {outline}, {0, 1}, {}};
   return {JournalDo{{line(corners[0], corners[1])}, 0},
           JournalDo{{line(corners[1], corners[2])}, 0},
           JournalUndo{},
