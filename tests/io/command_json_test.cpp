@@ -6,6 +6,8 @@
 #include <array>
 #include <memory>
 
+#include "document/apply.h"
+#include "support/random_commands.h"
 #include "support/random_drawing.h"
 
 namespace inkflate {
@@ -77,6 +79,46 @@ TEST(CommandJson, RandomShapesSurvive) {
     for (auto const& stroke : drawing.sketch.strokes) {
       EXPECT_EQ(std::get<AddStroke>(*read_command(write_command(AddStroke{stroke}))).stroke,
                 stroke);
+    }
+  }
+}
+
+// The same text, and the same done to the same document.
+TEST(CommandJson, WhatADocumentTakesSurvives) {
+  int taken = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Rng rng(seed);
+    auto document = test::random_document(rng);
+    for (int i = 0; i < 2 * test::kCommandKinds; ++i) {
+      auto const command =
+          test::random_command(rng, document, i % test::kCommandKinds, test::Wish::Sensible);
+      auto next = inkflate::apply(document, command);
+      if (!next) continue;
+      ++taken;
+      auto const text = write_command(command);
+      auto const again = read_command(text);
+      ASSERT_TRUE(again.has_value()) << text << again.error().message;
+      ASSERT_EQ(write_command(*again), text);
+      auto const repeated = inkflate::apply(document, *again);
+      ASSERT_TRUE(repeated.has_value()) << text << repeated.error().message;
+      ASSERT_EQ(to_project(*repeated), to_project(*next)) << text;
+      document = *std::move(next);
+    }
+  }
+  EXPECT_GT(taken, 12 * test::kCommandKinds);
+}
+
+TEST(CommandJson, WhatNoDocumentTakesEndsInACommandOrAnError) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Rng rng(seed);
+    auto const document = test::random_document(rng);
+    for (int kind = 0; kind < test::kCommandKinds; ++kind) {
+      auto const text =
+          write_command(test::random_command(rng, document, kind, test::Wish::Hostile));
+      auto const again = read_command(text);
+      if (again) {
+        EXPECT_EQ(write_command(*again), text);
+      }
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "io/bytes.h"
 #include "io/document_hash.h"
 #include "io/numbers.h"
+#include "support/random_commands.h"
 
 namespace inkflate {
 namespace {
@@ -77,6 +78,27 @@ TEST(Journal, TellsTheWholeHistory) {
     EXPECT_EQ(history.undo_label(), expected.undo_label());
   }
   EXPECT_FALSE(expected.can_undo());
+}
+
+TEST(Journal, GoesThroughTheSameDocuments) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    Rng rng(seed);
+    History history(empty_document());
+    std::string text = journal_start();
+    for (int i = 0; i < 30; ++i) {
+      int const step = rng.below(6);
+      if (step == 0 && history.undo()) text += journal_line(JournalUndo{});
+      if (step == 1 && history.redo()) text += journal_line(JournalRedo{});
+      if (step < 2) continue;
+      JournalDo const entry = {{test::random_command(rng, history.document())}, i};
+      if (history.push(entry.commands, entry.label)) text += journal_line(entry);
+    }
+    auto const read = read_journal(as_bytes(text));
+    ASSERT_TRUE(read.has_value() && !read->is_damaged);
+    EXPECT_EQ(read->history.position(), history.position());
+    EXPECT_EQ(read->history.size(), history.size());
+    EXPECT_EQ(to_project(read->history.document()), to_project(history.document()));
+  }
 }
 
 TEST(Journal, AStartAloneIsAnEmptyDocument) {
