@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "document/apply.h"
+#include "document/apply.h"
 #include "editor/scene_guides.h"
 #include "render/palette.h"
 
