@@ -32,7 +32,7 @@ TEST_P(Replay, LooksAsItWasApproved) {
 INSTANTIATE_TEST_SUITE_P(Thesis, Replay,
                          testing::Values("mouse", "alligator", "dove", "seahorse", "crab",
                                          "butterfly", "octopus", "half_torus", "torus"),
-                         [](auto const& info) { return std::string(info.param); });
+                         [](auto const& each) { return std::string(each.param); });
 
 }  // namespace
 }  // namespace inkflate
