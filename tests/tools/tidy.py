@@ -23,6 +23,7 @@ from tidy_units import Source, Unit, included_headers, make_units
 TOP = pathlib.Path(__file__).resolve().parents[2]
 WORK = TOP / "build" / "tidy"
 STAMPS = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "inkflate" / "tidy"
+PROCESSORS = len(os.sched_getaffinity(0))
 STAMP_LIFE_S = 60 * 24 * 3600
 FINDING = re.compile(r"^(/[^:]+):(\d+):(\d+): (?:warning|error): ")
 CANNOT_COMPILE = "[clang-diagnostic-error]"
@@ -100,7 +101,7 @@ def run_tidy(unit):
 def look(units, report):
     """Reports what clang-tidy finds and gives the failed sources; units that cannot be one text are taken apart."""
     failed, again = set(), []
-    with concurrent.futures.ThreadPoolExecutor(max_workers=len(os.sched_getaffinity(0))) as pool:
+    with concurrent.futures.ThreadPoolExecutor(max_workers=PROCESSORS) as pool:
         for unit, findings in zip(units, pool.map(run_tidy, units)):
             in_the_way = {source for places, text in findings if CANNOT_COMPILE in text for source in places}
             if in_the_way and len(unit.sources) > 1:
@@ -137,7 +138,7 @@ def main(folders):
         if source not in todo:
             (STAMPS / source.key).touch()
     copy_configurations(sources)
-    units = make_units(todo)
+    units = make_units(todo, PROCESSORS)
     print(f"{len(todo)} of {len(sources)} files to look at, in {len(units)} units", flush=True)
     failed = look(units, report=lambda text: print(text, flush=True))
     print(f"{len(sources) - len(failed)} passed, {len(failed)} failed")

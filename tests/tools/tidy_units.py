@@ -14,7 +14,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 DECLARATION = re.compile(r"(\w+)\s*(?:[({=;\[]|:(?!:))")
 NO_NAME = re.compile(r"(namespace|template|public|private)\b|[A-Z_0-9]+\(")  # a macro's name collides with nothing
 ENTRY_POINTS = re.compile(r'^(?:extern "C" )?int (main|LLVMFuzzerTestOneInput)\(', re.MULTILINE)
-MOST_LINES = 3000  # of a unit, so that two processors end at nearly the same time; its memory stays below 1 GB
+MOST_LINES = 3000  # of a unit: beyond that little more is shared, and a file that spoils it costs more
 
 
 @dataclasses.dataclass(frozen=True)
@@ -89,8 +89,10 @@ def declared_in(headers):
     return set().union(*(declared_names(path.read_text(encoding="utf-8"), unnamed=False) for path in headers))
 
 
-def make_units(sources):
-    """The files in as few units as may be, long ones first"""
+def make_units(sources, processors):
+    """The files in about as few units as keep the processors busy, long ones first"""
+    lines = {source: source.text().count("\n") for source in sources}
+    most_lines = min(MOST_LINES, sum(lines.values()) // processors + 1)
     groups = {}
     for source in sorted(sources, key=lambda source: source.path):
         groups.setdefault((source.flags, source.config), []).append(source)
@@ -98,11 +100,10 @@ def make_units(sources):
     for group in groups.values():
         chosen, length = [], 0
         for source in group:
-            lines = source.text().count("\n")
-            if chosen and length + lines > MOST_LINES:
+            if chosen and length + lines[source] > most_lines:
                 units.append(Unit(chosen))
                 chosen, length = [], 0
             chosen.append(source)
-            length += lines
+            length += lines[source]
         units.append(Unit(chosen))
     return sorted(units, key=lambda unit: -len(unit.lines))
