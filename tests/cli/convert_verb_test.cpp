@@ -127,8 +127,8 @@ TEST_F(ConvertVerb, InfoTellsInLinesOrJson) {
 
 TEST_F(ConvertVerb, InfoTellsStatesOfLayersAndMotion) {
   Project project;
-  project.drawing.sketch = {300, 200, {}, {Stroke{{{{1, 2}}}}}};
-  project.drawing.layers = {{"arm", {}, {}}};
+  project.drawing.sketch = {300, 200, {}, {Stroke{{{{1, 2}}}, StrokeKind::Ink, 2, {}}}};
+  project.drawing.layers = {{"arm", {}, {}, {}}};
   auto& layer = project.drawing.layers[0];
   layer.noise = {0};
   layer.is_hidden = layer.is_locked = layer.is_open = true;

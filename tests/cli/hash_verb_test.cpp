@@ -50,7 +50,7 @@ TEST_F(HashVerb, FormatsThatHoldTheSameHaveTheSame) {
 }
 
 TEST_F(HashVerb, AJournalHasThatOfItsLastDocument) {
-  auto const stroke = AddStroke{Stroke{{{{10, 10}}, {{90, 10}}}}};
+  auto const stroke = AddStroke{Stroke{{{{10, 10}}, {{90, 10}}}, StrokeKind::Ink, 2, {}}};
   auto const journal = journal_start() + journal_line(JournalDo{{stroke}, 0});
   folder_.write("a.journal", journal);
   folder_.write("b.journal", journal + journal_line(JournalDo{{SetCanvas{500, 400}}, 0}) +

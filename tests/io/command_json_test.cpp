@@ -6,6 +6,8 @@
 #include <array>
 #include <memory>
 
+#include "document/apply.h"
+#include "support/random_commands.h"
 #include "support/random_drawing.h"
 
 namespace inkflate {
@@ -81,6 +83,46 @@ TEST(CommandJson, RandomShapesSurvive) {
   }
 }
 
+// The same text, and the same done to the same document.
+TEST(CommandJson, WhatADocumentTakesSurvives) {
+  int taken = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Rng rng(seed);
+    auto document = test::random_document(rng);
+    for (int i = 0; i < 2 * test::kCommandKinds; ++i) {
+      auto const command =
+          test::random_command(rng, document, i % test::kCommandKinds, test::Wish::Sensible);
+      auto next = inkflate::apply(document, command);
+      if (!next) continue;
+      ++taken;
+      auto const text = write_command(command);
+      auto const again = read_command(text);
+      ASSERT_TRUE(again.has_value()) << text << again.error().message;
+      ASSERT_EQ(write_command(*again), text);
+      auto const repeated = inkflate::apply(document, *again);
+      ASSERT_TRUE(repeated.has_value()) << text << repeated.error().message;
+      ASSERT_EQ(to_project(*repeated), to_project(*next)) << text;
+      document = *std::move(next);
+    }
+  }
+  EXPECT_GT(taken, 12 * test::kCommandKinds);
+}
+
+TEST(CommandJson, WhatNoDocumentTakesEndsInACommandOrAnError) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Rng rng(seed);
+    auto const document = test::random_document(rng);
+    for (int kind = 0; kind < test::kCommandKinds; ++kind) {
+      auto const text =
+          write_command(test::random_command(rng, document, kind, test::Wish::Hostile));
+      auto const again = read_command(text);
+      if (again) {
+        EXPECT_EQ(write_command(*again), text);
+      }
+    }
+  }
+}
+
 Picture small_picture() {
   Picture picture(3, 2, Colour{10, 20, 30, 255});
   picture.values[4] = {1, 2, 3, 4};
@@ -96,8 +138,12 @@ TEST(CommandJson, PicturesKeepTheirPixels) {
 
 TEST(CommandJson, AnotherDocumentComesWhole) {
   Project project;
-  project.drawing.sketch = {320, 200, {}, {Stroke{{{{1, 2}}}}, Stroke{{{{3, 4}}}}}};
-  project.drawing.layers = {{"body", {}, {0}}};
+  project.drawing.sketch = {
+      320,
+      200,
+      {},
+      {Stroke{{{{1, 2}}}, StrokeKind::Ink, 2, {}}, Stroke{{{{3, 4}}}, StrokeKind::Ink, 2, {}}}};
+  project.drawing.layers = {{"body", {}, {0}, {}}};
   project.drawing.layers[0].id = LayerId{4};
   project.drawing.layers[0].is_open = true;
   project.drawing.stray = {1};

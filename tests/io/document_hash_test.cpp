@@ -18,8 +18,9 @@ namespace {
 
 Project small_project() {
   Project project;
-  project.drawing.sketch = {300, 200, {{"leg"}}, {Stroke{{{{1, 2}}, {{0.1, 1e-9}, 0.5, 0.25}}}}};
-  project.drawing.layers = {{"body", {}, {0}}};
+  project.drawing.sketch = {
+      300, 200, {{"leg"}}, {Stroke{{{{1, 2}}, {{0.1, 1e-9}, 0.5, 0.25}}, StrokeKind::Ink, 2, {}}}};
+  project.drawing.layers = {{"body", {}, {0}, {}}};
   project.drawing.layers[0].id = LayerId{1};
   project.pins = {{PinId{2}, LayerId{1}, Side::Front, {1, 1}, {2, 2}}};
   project.clip = {2, {{PinId{2}, {{0, {2, 2}}}, 0.25}}};

@@ -129,7 +129,7 @@ TEST(Inkflate, AllOfAProjectIsReadAsItIsSpecified) {
   ASSERT_TRUE(document.has_value()) << document.error().message;
   auto const& project = document->project;
   EXPECT_EQ(project.drawing.sketch.strokes.at(0).depth, StrokeDepth::Far);
-  Layer layer = {"a", {}, {}};
+  Layer layer = {"a", {}, {}, {}};
   layer.id = LayerId{3};
   layer.is_hidden = layer.is_locked = layer.is_open = true;
   layer.choice = {7, {{1, 2}}, {}};

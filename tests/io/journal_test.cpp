@@ -7,19 +7,22 @@
 #include "io/bytes.h"
 #include "io/document_hash.h"
 #include "io/numbers.h"
+#include "support/random_commands.h"
 
 namespace inkflate {
 namespace {
 
 // A triangle drawn twice, closed once, pinned, moved; now and then taken back.
 std::vector<JournalEntry> story() {
-  auto const line = [](Vec2 a, Vec2 b) { return AddStroke{Stroke{{{a}, {b}}}}; };
+  auto const line = [](Vec2 a, Vec2 b) {
+    return AddStroke{Stroke{{{a}, {b}}, StrokeKind::Ink, 2, {}}};
+  };
   Vec2 const corners[] = {{100, 100}, {300, 100}, {200, 300}};
   Outline outline;
   for (int i = 0; i < 3; ++i) {
     outline.pieces.push_back({line_cubic(corners[i], corners[(i + 1) % 3])});
   }
-  Layer shape = {"body", {outline}, {0, 1}};
+  Layer shape = {"body", {outline}, {0, 1}, {}};
   return {JournalDo{{line(corners[0], corners[1])}, 0},
           JournalDo{{line(corners[1], corners[2])}, 0},
           JournalUndo{},
@@ -75,6 +78,27 @@ TEST(Journal, TellsTheWholeHistory) {
     EXPECT_EQ(history.undo_label(), expected.undo_label());
   }
   EXPECT_FALSE(expected.can_undo());
+}
+
+TEST(Journal, GoesThroughTheSameDocuments) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    Rng rng(seed);
+    History history(empty_document());
+    std::string text = journal_start();
+    for (int i = 0; i < 30; ++i) {
+      int const step = rng.below(6);
+      if (step == 0 && history.undo()) text += journal_line(JournalUndo{});
+      if (step == 1 && history.redo()) text += journal_line(JournalRedo{});
+      if (step < 2) continue;
+      JournalDo const entry = {{test::random_command(rng, history.document())}, i};
+      if (history.push(entry.commands, entry.label)) text += journal_line(entry);
+    }
+    auto const read = read_journal(as_bytes(text));
+    ASSERT_TRUE(read.has_value() && !read->is_damaged);
+    EXPECT_EQ(read->history.position(), history.position());
+    EXPECT_EQ(read->history.size(), history.size());
+    EXPECT_EQ(to_project(read->history.document()), to_project(history.document()));
+  }
 }
 
 TEST(Journal, AStartAloneIsAnEmptyDocument) {

@@ -381,7 +381,8 @@ TEST(WriteMonsterMash, HiddenLayersAreKeptButNotInThePictures) {
   Project project;
   project.drawing.sketch.width_px = 1000;
   project.drawing.sketch.height_px = 800;
-  project.drawing.layers = {{"seen", {square}}, {"hidden", {square}}, {"open", {}}};
+  project.drawing.layers = {
+      {"seen", {square}, {}, {}}, {"hidden", {square}, {}, {}}, {"open", {}, {}, {}}};
   project.drawing.layers[1].is_hidden = true;
   auto const archive = write_monster_mash(project);
   ASSERT_TRUE(archive.has_value());

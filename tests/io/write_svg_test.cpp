@@ -126,7 +126,7 @@ TEST(WriteSvg, HiddenLayersAreNotDisplayed) {
 
 TEST(WriteSvg, ALayerWithoutOutlineShowsItsStrokes) {
   auto drawing = square();
-  drawing.layers = {{"open", {}, {0}}};
+  drawing.layers = {{"open", {}, {0}, {}}};
   auto const text = write_svg(drawing);
   EXPECT_EQ(count(text, "class=\"stroke\""), 1);
   EXPECT_EQ(*read_svg(as_bytes(text)), drawing);

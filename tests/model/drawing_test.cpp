@@ -130,7 +130,8 @@ Drawing drawing_of_states() {
   drawing.sketch.strokes.resize(4);
   for (int i = 0; i < 4; ++i) drawing.sketch.strokes[i].width_px = i;
   Outline const square = square_of(std::vector<RunKind>(4, RunKind::Ink));
-  drawing.layers = {{"plain", {square}, {0}}, {"hidden", {square}, {}, {1}}, {"open", {}, {2}}};
+  drawing.layers = {
+      {"plain", {square}, {0}, {}}, {"hidden", {square}, {}, {1}}, {"open", {}, {2}, {}}};
   drawing.layers[1].is_hidden = true;
   drawing.layers[2].is_open = true;
   drawing.stray = {3};
@@ -142,7 +143,7 @@ TEST(Shown, LayersAreThoseWithOutlinesThatAreNotHidden) {
   auto const seen = shown(drawing);
   EXPECT_EQ(seen.layers, std::vector<Layer>{drawing.layers[0]});
   EXPECT_EQ(seen.sketch, drawing.sketch);
-  EXPECT_FALSE(is_shown({"empty", {Outline{}}}));
+  EXPECT_FALSE(is_shown({"empty", {Outline{}}, {}, {}}));
 }
 
 TEST(Shown, AnOpenLayerIsSeenAsItWas) {

@@ -84,7 +84,7 @@ TEST(DrawSketch, HelpLinesAreDashedTeal) {
 
 TEST(DrawDrawing, HiddenLayersAreLeftOut) {
   auto drawing = holed_square();
-  drawing.sketch.strokes = {Stroke{{{{5, 5}}, {{55, 5}}}}};
+  drawing.sketch.strokes = {Stroke{{{{5, 5}}, {{55, 5}}}, StrokeKind::Ink, 2, {}}};
   drawing.layers[0].strokes = drawing.layers[0].details = {0};
   drawing.layers[0].is_hidden = true;
   EXPECT_TRUE(draw_drawing(drawing, {.rough_strokes = RoughStrokes::Faint}).empty());
@@ -93,8 +93,8 @@ TEST(DrawDrawing, HiddenLayersAreLeftOut) {
 
 TEST(DrawDrawing, ALayerWithoutOutlineIsSeenByItsStrokes) {
   auto drawing = holed_square();
-  drawing.sketch.strokes = {Stroke{{{{5, 5}}, {{55, 5}}}}};
-  drawing.layers = {{"open", {}, {0}}};
+  drawing.sketch.strokes = {Stroke{{{{5, 5}}, {{55, 5}}}, StrokeKind::Ink, 2, {}}};
+  drawing.layers = {{"open", {}, {0}, {}}};
   auto const list = draw_drawing(drawing);
   ASSERT_EQ(list.size(), 1U);
   EXPECT_TRUE(std::holds_alternative<StrokedPolyline>(list[0]));
