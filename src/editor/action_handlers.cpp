@@ -21,7 +21,7 @@ ActionHandler const* find_handler(std::string_view action) {
   return nullptr;
 }
 
-void run_action(Turn& turn, std::string_view action, std::string const& argument) {
+void run_action(EditorTurn& turn, std::string_view action, std::string const& argument) {
   if (find_action(action) == nullptr) {
     return say(turn, Severity::Problem, Word::CannotDo,
                {"there is no action \"" + std::string(action.substr(0, 40)) + "\""});
@@ -52,7 +52,7 @@ std::optional<Vec2> place_of(std::string_view argument) {
   return x && y ? std::optional(Vec2{*x, *y}) : std::nullopt;
 }
 
-void refuse_argument(Turn& turn) {
+void refuse_argument(EditorTurn& turn) {
   say(turn, Severity::Problem, Word::CannotDo,
       {"\"" + turn.argument.substr(0, 40) + "\" is not what this action takes"});
 }

@@ -11,7 +11,7 @@ namespace inkflate {
 /// What an action does, and whether it would do something now.
 struct ActionHandler {
   std::string_view name;
-  void (*run)(Turn& turn) = nullptr;
+  void (*run)(EditorTurn& turn) = nullptr;
   bool (*is_enabled)(EditorState const& state) = nullptr;
 };
 
@@ -27,7 +27,7 @@ std::span<ActionHandler const> file_handlers();
 ActionHandler const* find_handler(std::string_view action);
 
 /// Does an action by its name. What the studio has to do goes to Changes::studio_actions. An unknown name is said.
-void run_action(Turn& turn, std::string_view action, std::string const& argument);
+void run_action(EditorTurn& turn, std::string_view action, std::string const& argument);
 
 /// Rules for is_enabled that more than one part has.
 bool always(EditorState const& state);
@@ -38,12 +38,12 @@ std::optional<double> number_of(std::string_view argument);
 /// "12.5,40" as a place.
 std::optional<Vec2> place_of(std::string_view argument);
 /// Says that the argument is not what the action takes.
-void refuse_argument(Turn& turn);
+void refuse_argument(EditorTurn& turn);
 
 /// What actions take from one another.
-void simplify_document(Turn& turn);
-void open_file(Turn& turn, FileEvent const& file);
+void simplify_document(EditorTurn& turn);
+void open_file(EditorTurn& turn, FileEvent const& file);
 /// So that everything that was drawn is in view.
-void fit_paper(Turn& turn);
+void fit_paper(EditorTurn& turn);
 
 }  // namespace inkflate

@@ -11,7 +11,7 @@ namespace {
 /// A click this near to a mark takes the mark away, screen px.
 constexpr double kMarkReachPx = 10;
 
-void say_faults(Turn& turn, std::vector<ClosingFault> const& faults) {
+void say_faults(EditorTurn& turn, std::vector<ClosingFault> const& faults) {
   for (auto const& fault : faults) {
     Rect place;
     place.include(fault.place);
@@ -19,7 +19,7 @@ void say_faults(Turn& turn, std::vector<ClosingFault> const& faults) {
   }
 }
 
-void say_closed(Turn& turn, int closings) {
+void say_closed(EditorTurn& turn, int closings) {
   if (closings == 0) return say(turn, Severity::Status, Word::ClosedNoGap);
   say(turn, Severity::Status, Word::ClosedGaps, {std::to_string(closings)});
 }
@@ -39,8 +39,8 @@ CloseChoice const& choice_of(Document const& document, LayerId layer) {
 }
 
 /// Gives closed layers another choice and closes them anew.
-bool close_again(Turn& turn, std::vector<LayerId> const& layers, std::string_view action,
-                 CloseChoice (*change)(CloseChoice, Turn const&), bool is_slider) {
+bool close_again(EditorTurn& turn, std::vector<LayerId> const& layers, std::string_view action,
+                 CloseChoice (*change)(CloseChoice, EditorTurn const&), bool is_slider) {
   std::vector<Command> commands;
   for (auto const id : layers) {
     auto const& document = turn.state.history.document();
@@ -62,13 +62,13 @@ bool is_gap(std::string const& argument) {
   return argument == "auto" || number_of(argument).value_or(0) > 0;
 }
 
-CloseChoice with_gap(CloseChoice choice, Turn const& turn) {
+CloseChoice with_gap(CloseChoice choice, EditorTurn const& turn) {
   choice.gap_px = number_of(turn.argument);
   return choice;
 }
 
 /// Of what is rough; of the selection when nothing is.
-void gap(Turn& turn) {
+void gap(EditorTurn& turn) {
   if (!is_gap(turn.argument)) return refuse_argument(turn);
   auto const& document = turn.state.history.document();
   auto const& selection = turn.state.view.selection;
@@ -96,15 +96,16 @@ void toggle_mark(std::vector<Vec2>& marks, Vec2 place, double reach_px) {
   }
 }
 
-CloseChoice with_mark(CloseChoice choice, Turn const& turn, std::vector<Vec2> CloseChoice::*marks) {
+CloseChoice with_mark(CloseChoice choice, EditorTurn const& turn,
+                      std::vector<Vec2> CloseChoice::*marks) {
   auto const place = place_of(turn.argument);
   toggle_mark(choice.*marks, *place, kMarkReachPx / turn.state.view.camera.zoom);
   return choice;
 }
-CloseChoice with_outside(CloseChoice choice, Turn const& turn) {
+CloseChoice with_outside(CloseChoice choice, EditorTurn const& turn) {
   return with_mark(std::move(choice), turn, &CloseChoice::outside);
 }
-CloseChoice with_inside(CloseChoice choice, Turn const& turn) {
+CloseChoice with_inside(CloseChoice choice, EditorTurn const& turn) {
   return with_mark(std::move(choice), turn, &CloseChoice::inside);
 }
 
@@ -123,7 +124,8 @@ LayerId marked_layer(Document const& document, Vec2 place) {
 }
 
 /// Loose strokes and open layers come first: they are what one works on.
-void mark(Turn& turn, std::string_view action, CloseChoice (*change)(CloseChoice, Turn const&)) {
+void mark(EditorTurn& turn, std::string_view action,
+          CloseChoice (*change)(CloseChoice, EditorTurn const&)) {
   auto const place = place_of(turn.argument);
   if (!place) return refuse_argument(turn);
   auto const& document = turn.state.history.document();
@@ -139,7 +141,7 @@ void mark(Turn& turn, std::string_view action, CloseChoice (*change)(CloseChoice
   close_again(turn, {layer}, action, change, false);
 }
 
-void for_each_selected(Turn& turn, std::string_view action, Command (*command)(LayerId)) {
+void for_each_selected(EditorTurn& turn, std::string_view action, Command (*command)(LayerId)) {
   auto const& selection = turn.state.view.selection;
   if (selection.empty()) return say(turn, Severity::Warning, Word::NothingSelected);
   std::vector<Command> commands;
@@ -153,24 +155,24 @@ constexpr std::array kHandlers = {
     ActionHandler{"simplify", simplify_document, is_rough},
     ActionHandler{"gap", gap,
                   [](EditorState const& state) { return is_rough(state) || has_selection(state); }},
-    ActionHandler{"mark_outside", [](Turn& turn) { mark(turn, "mark_outside", with_outside); },
-                  always},
-    ActionHandler{"mark_inside", [](Turn& turn) { mark(turn, "mark_inside", with_inside); },
+    ActionHandler{"mark_outside",
+                  [](EditorTurn& turn) { mark(turn, "mark_outside", with_outside); }, always},
+    ActionHandler{"mark_inside", [](EditorTurn& turn) { mark(turn, "mark_inside", with_inside); },
                   always},
     ActionHandler{"open_part",
-                  [](Turn& turn) {
+                  [](EditorTurn& turn) {
                     for_each_selected(turn, "open_part",
                                       [](LayerId id) { return Command(OpenLayer{id}); });
                   },
                   has_selection},
     ActionHandler{"redraw_part",
-                  [](Turn& turn) {
+                  [](EditorTurn& turn) {
                     for_each_selected(turn, "redraw_part",
                                       [](LayerId id) { return Command(RedrawLayer{id}); });
                   },
                   has_selection},
     ActionHandler{"close_part",
-                  [](Turn& turn) {
+                  [](EditorTurn& turn) {
                     for_each_selected(turn, "close_part",
                                       [](LayerId id) { return Command(CloseLayer{id}); });
                   },
@@ -181,7 +183,7 @@ constexpr std::array kHandlers = {
 
 std::span<ActionHandler const> draw_handlers() { return kHandlers; }
 
-void simplify_document(Turn& turn) {
+void simplify_document(EditorTurn& turn) {
   auto closed = close_document(turn.state.history.document(), turn.progress);
   if (!closed) {
     if (closed.error().code != ErrorCode::NothingThere) return say(turn, closed.error());

@@ -16,29 +16,29 @@ std::vector<std::string> name_of_action(int label, Language language) {
 }
 
 /// What is undone or redone is part of the drawing: there one sees it change.
-void show_drawing(Turn& turn) { turn.state.view.mode = Mode::Draw; }
+void show_drawing(EditorTurn& turn) { turn.state.view.mode = Mode::Draw; }
 
-void undo(Turn& turn) {
+void undo(EditorTurn& turn) {
   int const label = turn.state.history.undo_label();
   if (!undo_entry(turn)) return say(turn, Severity::Warning, Word::NothingToUndo);
   show_drawing(turn);
   say(turn, Severity::Status, Word::Undone, name_of_action(label, turn.state.language));
 }
 
-void redo(Turn& turn) {
+void redo(EditorTurn& turn) {
   int const label = turn.state.history.redo_label();
   if (!redo_entry(turn)) return say(turn, Severity::Warning, Word::NothingToRedo);
   show_drawing(turn);
   say(turn, Severity::Status, Word::Redone, name_of_action(label, turn.state.language));
 }
 
-void delete_selected(Turn& turn) {
+void delete_selected(EditorTurn& turn) {
   auto const& selection = turn.state.view.selection;
   if (selection.empty()) return say(turn, Severity::Warning, Word::NothingSelected);
   commit(turn, std::vector<Command>{DeleteLayers{selection}}, "delete");
 }
 
-void duplicate_selected(Turn& turn) {
+void duplicate_selected(EditorTurn& turn) {
   auto& state = turn.state;
   auto const& before = state.history.document();
   auto const commands = duplicate(before, state.view.selection);
@@ -53,7 +53,7 @@ void duplicate_selected(Turn& turn) {
 }
 
 /// The layer that the argument names, or the only one that is selected.
-LayerId named_layer(Turn const& turn) {
+LayerId named_layer(EditorTurn const& turn) {
   auto const& selection = turn.state.view.selection;
   if (auto const id = number_of(turn.argument)) {
     bool const is_id = *id >= 1 && *id < turn.state.history.document().next_id;
@@ -62,13 +62,13 @@ LayerId named_layer(Turn const& turn) {
   return selection.size() == 1 ? selection[0] : LayerId::None;
 }
 
-void duplicate_at(Turn& turn, OrderEnd end, std::string_view action) {
+void duplicate_at(EditorTurn& turn, OrderEnd end, std::string_view action) {
   auto const layer = named_layer(turn);
   if (layer == LayerId::None) return say(turn, Severity::Warning, Word::NothingSelected);
   commit_if(turn, duplicate_or_remove(turn.state.history.document(), layer, end), action);
 }
 
-void select_all(Turn& turn) {
+void select_all(EditorTurn& turn) {
   auto& view = turn.state.view;
   view.selection.clear();
   for (auto const& layer : *turn.state.history.document().layers) {
@@ -81,7 +81,7 @@ void select_all(Turn& turn) {
 }
 
 /// The argument lists ids: "1 3 4"; an empty one selects nothing.
-void select(Turn& turn) {
+void select(EditorTurn& turn) {
   std::vector<LayerId> selection;
   std::string_view rest = turn.argument;
   for (skip_separator(rest, Separator::Comma); !rest.empty();
@@ -98,7 +98,7 @@ void select(Turn& turn) {
 }
 
 /// A gesture is dropped by the engine before any action; then goes the selection, then the tool.
-void cancel(Turn& turn) {
+void cancel(EditorTurn& turn) {
   auto& view = turn.state.view;
   if (!view.selection.empty()) {
     view.selection.clear();
@@ -119,10 +119,10 @@ constexpr std::array kHandlers = {
     ActionHandler{"delete", delete_selected, has_selection},
     ActionHandler{"duplicate", duplicate_selected, has_selection},
     ActionHandler{"duplicate_behind",
-                  [](Turn& turn) { duplicate_at(turn, OrderEnd::Back, "duplicate_behind"); },
+                  [](EditorTurn& turn) { duplicate_at(turn, OrderEnd::Back, "duplicate_behind"); },
                   has_one_selected},
     ActionHandler{"duplicate_before",
-                  [](Turn& turn) { duplicate_at(turn, OrderEnd::Front, "duplicate_before"); },
+                  [](EditorTurn& turn) { duplicate_at(turn, OrderEnd::Front, "duplicate_before"); },
                   has_one_selected},
     ActionHandler{"select_all", select_all, has_layers},
     ActionHandler{"select", select, always},

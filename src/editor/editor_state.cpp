@@ -20,7 +20,7 @@ bool is_same(Document const& a, Document const& b) {
          a.template_picture == b.template_picture && a.pins == b.pins && a.clip == b.clip;
 }
 
-void write_journal(Turn& turn, JournalEntry const& entry) {
+void write_journal(EditorTurn& turn, JournalEntry const& entry) {
   auto& [state, changes, progress, argument] = turn;
   auto line = journal_line(entry);
   if (state.journal_bytes == 0 || state.journal_bytes + std::ssize(line) > kLongestJournalBytes) {
@@ -51,17 +51,17 @@ bool is_saved(EditorState const& state) {
   return !state.gesture && is_same(state.history.document(), state.saved);
 }
 
-void say(Turn& turn, Severity severity, Word word, std::vector<std::string> arguments,
+void say(EditorTurn& turn, Severity severity, Word word, std::vector<std::string> arguments,
          std::optional<Rect> place) {
   turn.changes.messages.push_back({severity, word, std::move(arguments), place});
 }
 
-void say(Turn& turn, Error const& error) {
+void say(EditorTurn& turn, Error const& error) {
   if (error.code == ErrorCode::Cancelled) return say(turn, Severity::Status, Word::Cancelled);
   say(turn, Severity::Problem, Word::CannotDo, {error.message});
 }
 
-bool commit(Turn& turn, std::vector<Command> commands, std::string_view action) {
+bool commit(EditorTurn& turn, std::vector<Command> commands, std::string_view action) {
   auto& state = turn.state;
   int const label = action_index(action);
   auto const done = state.history.push(commands, label);
@@ -74,19 +74,20 @@ bool commit(Turn& turn, std::vector<Command> commands, std::string_view action) 
   return true;
 }
 
-bool commit_if(Turn& turn, Result<std::vector<Command>> const& commands, std::string_view action) {
+bool commit_if(EditorTurn& turn, Result<std::vector<Command>> const& commands,
+               std::string_view action) {
   if (commands) return commit(turn, *commands, action);
   say(turn, commands.error());
   return false;
 }
 
-bool commit_if(Turn& turn, Result<Command> const& command, std::string_view action) {
+bool commit_if(EditorTurn& turn, Result<Command> const& command, std::string_view action) {
   if (command) return commit(turn, std::vector<Command>{*command}, action);
   say(turn, command.error());
   return false;
 }
 
-bool commit_again(Turn& turn, std::vector<Command> commands, std::string_view action) {
+bool commit_again(EditorTurn& turn, std::vector<Command> commands, std::string_view action) {
   auto& history = turn.state.history;
   bool const is_same_action =
       history.can_undo() && !history.can_redo() && history.undo_label() == action_index(action);
@@ -95,7 +96,7 @@ bool commit_again(Turn& turn, std::vector<Command> commands, std::string_view ac
   return commit(turn, std::move(commands), action);
 }
 
-void end_gesture(Turn& turn, std::string_view action) {
+void end_gesture(EditorTurn& turn, std::string_view action) {
   auto& state = turn.state;
   auto gesture = std::exchange(state.gesture, std::nullopt);
   if (!gesture || gesture->commands.empty()) return;
@@ -105,7 +106,7 @@ void end_gesture(Turn& turn, std::string_view action) {
   follow_document(turn);
 }
 
-void drop_gesture(Turn& turn) {
+void drop_gesture(EditorTurn& turn) {
   auto& state = turn.state;
   bool const had_changes = state.gesture && !state.gesture->commands.empty();
   state.gesture.reset();
@@ -114,21 +115,21 @@ void drop_gesture(Turn& turn) {
   if (had_changes) follow_document(turn);
 }
 
-bool undo_entry(Turn& turn) {
+bool undo_entry(EditorTurn& turn) {
   if (!turn.state.history.undo()) return false;
   write_journal(turn, JournalUndo{});
   follow_document(turn);
   return true;
 }
 
-bool redo_entry(Turn& turn) {
+bool redo_entry(EditorTurn& turn) {
   if (!turn.state.history.redo()) return false;
   write_journal(turn, JournalRedo{});
   follow_document(turn);
   return true;
 }
 
-void follow_document(Turn& turn) {
+void follow_document(EditorTurn& turn) {
   auto& [state, changes, progress, argument] = turn;
   auto const& document = state.history.document();
   std::erase_if(state.view.selection, [&](LayerId id) {

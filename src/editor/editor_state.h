@@ -42,7 +42,7 @@ struct EditorState {
 };
 
 /// One event and what comes of it.
-struct Turn {
+struct EditorTurn {
   EditorState& state;
   Changes& changes;
   Progress const& progress;
@@ -54,28 +54,29 @@ Document const& shown_document(EditorState const& state);
 bool has_rough_strokes(Document const& document);
 bool is_saved(EditorState const& state);
 
-void say(Turn& turn, Severity severity, Word word, std::vector<std::string> arguments = {},
+void say(EditorTurn& turn, Severity severity, Word word, std::vector<std::string> arguments = {},
          std::optional<Rect> place = {});
 /// An error in words; nothing for NothingThere and Cancelled but what they say.
-void say(Turn& turn, Error const& error);
+void say(EditorTurn& turn, Error const& error);
 
 /// One entry of the history, written into the journal. False: the document refused it, and that was said.
-bool commit(Turn& turn, std::vector<Command> commands, std::string_view action);
+bool commit(EditorTurn& turn, std::vector<Command> commands, std::string_view action);
 /// The same where refusals are typed: says why there is nothing to do.
-bool commit_if(Turn& turn, Result<Command> const& command, std::string_view action);
-bool commit_if(Turn& turn, Result<std::vector<Command>> const& commands, std::string_view action);
+bool commit_if(EditorTurn& turn, Result<Command> const& command, std::string_view action);
+bool commit_if(EditorTurn& turn, Result<std::vector<Command>> const& commands,
+               std::string_view action);
 /// As commit, but takes the place of the entry before when that is of the same action: a slider that is dragged is one entry.
-bool commit_again(Turn& turn, std::vector<Command> commands, std::string_view action);
+bool commit_again(EditorTurn& turn, std::vector<Command> commands, std::string_view action);
 
 /// What the gesture has done becomes an entry.
-void end_gesture(Turn& turn, std::string_view action);
+void end_gesture(EditorTurn& turn, std::string_view action);
 /// The gesture never was.
-void drop_gesture(Turn& turn);
+void drop_gesture(EditorTurn& turn);
 
-bool undo_entry(Turn& turn);
-bool redo_entry(Turn& turn);
+bool undo_entry(EditorTurn& turn);
+bool redo_entry(EditorTurn& turn);
 
 /// The document is another one: what is looked at follows.
-void follow_document(Turn& turn);
+void follow_document(EditorTurn& turn);
 
 }  // namespace inkflate

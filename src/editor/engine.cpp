@@ -35,7 +35,7 @@ std::string_view action_of(Tool tool) {
 }
 
 /// Puts the commands of a step into the gesture. One that the document refuses leaves the gesture as it was.
-void change_gesture(Turn& turn, Step& step) {
+void change_gesture(EditorTurn& turn, Step& step) {
   auto& state = turn.state;
   if (step.effect == GestureEffect::None) return;
   bool const is_new = step.effect == GestureEffect::Replace || !state.gesture;
@@ -54,7 +54,7 @@ void change_gesture(Turn& turn, Step& step) {
   for (auto& command : step.commands) state.gesture->commands.push_back(std::move(command));
 }
 
-void take_step(Turn& turn, Tool tool, Step step) {
+void take_step(EditorTurn& turn, Tool tool, Step step) {
   auto& [state, changes, progress, argument] = turn;
   state.tool = std::move(step.state);
   state.gesture_tool = tool;
@@ -76,7 +76,7 @@ void take_step(Turn& turn, Tool tool, Step step) {
 
 /// A double click with the brush means the part under it, as long as nothing else is being drawn: the dot of the first click is taken back
 /// and the part gets its copy.
-bool take_double_click(Turn& turn, Tool tool, ToolEvent const& event) {
+bool take_double_click(EditorTurn& turn, Tool tool, ToolEvent const& event) {
   auto& state = turn.state;
   auto const* const press = std::get_if<ToolPress>(&event);
   bool const is_double = press != nullptr && press->clicks == 2 && tool == Tool::Brush;
@@ -93,7 +93,7 @@ bool take_double_click(Turn& turn, Tool tool, ToolEvent const& event) {
   return true;
 }
 
-void run_tool(Turn& turn, ToTool const& routed) {
+void run_tool(EditorTurn& turn, ToTool const& routed) {
   auto& state = turn.state;
   if (take_double_click(turn, routed.tool, routed.event)) return;
   auto const step =
@@ -101,7 +101,7 @@ void run_tool(Turn& turn, ToTool const& routed) {
   take_step(turn, routed.tool, step);
 }
 
-void take_routed(Turn& turn, Routed const& routed) {
+void take_routed(EditorTurn& turn, Routed const& routed) {
   auto& [state, changes, progress, argument] = turn;
   if (auto const* const to_tool = std::get_if<ToTool>(&routed)) return run_tool(turn, *to_tool);
   if (auto const* const to_camera = std::get_if<ToCamera>(&routed)) {
@@ -114,7 +114,7 @@ void take_routed(Turn& turn, Routed const& routed) {
   changes.is_scene_changed = true;
 }
 
-void take_route(Turn& turn, RouteStep route) {
+void take_route(EditorTurn& turn, RouteStep route) {
   turn.state.pointers = std::move(route.state);
   for (auto const& routed : route.routed) take_routed(turn, routed);
 }
@@ -124,24 +124,24 @@ bool is_in_gesture(EditorState const& state) {
 }
 
 /// Ends what the hand is doing as if it had never begun.
-void stop_hand(Turn& turn) {
+void stop_hand(EditorTurn& turn) {
   take_route(turn, drop_pointers(turn.state.pointers));
   if (is_in_gesture(turn.state)) drop_gesture(turn);
 }
 
-void take(Turn& turn, PointerEvent const& event) {
+void take(EditorTurn& turn, PointerEvent const& event) {
   take_route(turn, route_pointer(turn.state.pointers, event, turn.state.view));
 }
 
-void take(Turn& turn, WheelEvent const& event) {
+void take(EditorTurn& turn, WheelEvent const& event) {
   take_route(turn, route_wheel(turn.state.pointers, event, turn.state.view));
 }
 
-void take(Turn& turn, GestureEvent const& event) {
+void take(EditorTurn& turn, GestureEvent const& event) {
   take_route(turn, route_gesture(turn.state.pointers, event, turn.state.view));
 }
 
-void take(Turn& turn, ActionEvent const& event) {
+void take(EditorTurn& turn, ActionEvent const& event) {
   bool const was_in_gesture = is_in_gesture(turn.state);
   if (was_in_gesture) stop_hand(turn);
   // Esc and undo in the middle of a gesture take back just that.
@@ -149,7 +149,7 @@ void take(Turn& turn, ActionEvent const& event) {
   run_action(turn, event.name, event.argument);
 }
 
-void take(Turn& turn, KeyEvent const& event) {
+void take(EditorTurn& turn, KeyEvent const& event) {
   auto& state = turn.state;
   if (event.key == " ") {
     state.pointers.is_space_held = event.is_press;
@@ -160,12 +160,12 @@ void take(Turn& turn, KeyEvent const& event) {
   if (!action.empty()) take(turn, ActionEvent{std::string(action)});
 }
 
-void take(Turn& turn, FileEvent const& event) {
+void take(EditorTurn& turn, FileEvent const& event) {
   if (is_in_gesture(turn.state)) stop_hand(turn);
   open_file(turn, event);
 }
 
-void take(Turn& turn, ResizeEvent const& event) {
+void take(EditorTurn& turn, ResizeEvent const& event) {
   bool const is_size = event.width_px >= 1 && event.height_px >= 1 &&
                        event.width_px <= kLargestViewPx && event.height_px <= kLargestViewPx;
   if (!is_size) return;
@@ -173,7 +173,7 @@ void take(Turn& turn, ResizeEvent const& event) {
   turn.changes.is_scene_changed = true;
 }
 
-void make_model(Turn& turn) {
+void make_model(EditorTurn& turn) {
   auto& state = turn.state;
   auto const made = state.model.make(state.history.document(), turn.progress);
   turn.changes.is_scene_changed = true;
@@ -215,7 +215,7 @@ Engine& Engine::operator=(Engine&&) noexcept = default;
 
 Changes Engine::handle(Event const& event) {
   Changes changes;
-  Turn turn = {inside_->state, changes, inside_->progress};
+  EditorTurn turn = {inside_->state, changes, inside_->progress};
   std::visit([&](auto const& each) { take(turn, each); }, event);
   return changes;
 }
@@ -228,7 +228,7 @@ bool Engine::has_work() const {
 Changes Engine::work() {
   Changes changes;
   auto& state = inside_->state;
-  Turn turn = {state, changes, inside_->progress};
+  EditorTurn turn = {state, changes, inside_->progress};
   if (is_model_wanted(state)) {
     make_model(turn);
   } else if (state.is_preview_stale) {
@@ -242,7 +242,7 @@ Changes Engine::work() {
 Changes Engine::recover(std::span<std::byte const> journal) {
   Changes changes;
   auto& state = inside_->state;
-  Turn turn = {state, changes, inside_->progress};
+  EditorTurn turn = {state, changes, inside_->progress};
   auto read = read_journal(journal);
   if (!read) {
     say(turn, Severity::Problem, Word::CannotRead, {read.error().message});

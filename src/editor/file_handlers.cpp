@@ -25,7 +25,7 @@ std::string stem_of(std::string const& path) {
   return name.empty() ? "drawing" : name;
 }
 
-void begin_new(Turn& turn) {
+void begin_new(EditorTurn& turn) {
   auto& state = turn.state;
   if (!is_blank(state.history.document()) &&
       !commit(turn, std::vector<Command>{Replace{empty_document()}}, "new")) {
@@ -37,7 +37,7 @@ void begin_new(Turn& turn) {
   fit_paper(turn);
 }
 
-void save(Turn& turn) {
+void save(EditorTurn& turn) {
   auto& state = turn.state;
   auto bytes = write_drawing_file(to_project(state.history.document()), DrawingFormat::Inkflate);
   if (!bytes) return say(turn, bytes.error());
@@ -48,7 +48,7 @@ void save(Turn& turn) {
 }
 
 /// The argument is an extension without its dot.
-void export_as(Turn& turn) {
+void export_as(EditorTurn& turn) {
   auto& state = turn.state;
   auto files = export_file({state.history.document(), state.view, state.file_name, turn.argument},
                            state.model, turn.progress);
@@ -57,17 +57,17 @@ void export_as(Turn& turn) {
   say(turn, Severity::Status, Word::Exported);
 }
 
-void remove_template(Turn& turn) {
+void remove_template(EditorTurn& turn) {
   commit(turn, std::vector<Command>{SetTemplate{nullptr}}, "remove_template");
 }
 
-void set_language(Turn& turn) {
+void set_language(EditorTurn& turn) {
   if (turn.argument != "en" && turn.argument != "cs") return refuse_argument(turn);
   turn.state.language = turn.argument == "cs" ? Language::Czech : Language::English;
   turn.changes.is_state_changed = true;
 }
 
-void set_single_keys(Turn& turn) {
+void set_single_keys(EditorTurn& turn) {
   if (turn.argument != "on" && turn.argument != "off") return refuse_argument(turn);
   turn.state.keys.set_single_keys(turn.argument == "on" ? SingleKeys::On : SingleKeys::Off);
   turn.changes.is_state_changed = true;
@@ -87,12 +87,12 @@ constexpr std::array kHandlers = {
     ActionHandler{"single_keys", set_single_keys, always},
 };
 
-void say_unreadable(Turn& turn, Error const& error) {
+void say_unreadable(EditorTurn& turn, Error const& error) {
   if (error.code == ErrorCode::Cancelled) return say(turn, error);
   say(turn, Severity::Problem, Word::CannotRead, {error.message});
 }
 
-void set_template(Turn& turn, FileEvent const& file) {
+void set_template(EditorTurn& turn, FileEvent const& file) {
   auto picture = read_picture(file.bytes);
   if (!picture) return say_unreadable(turn, picture.error());
   auto shared = std::make_shared<Picture const>(std::move(*picture));
@@ -114,7 +114,7 @@ Result<Document> document_of(ReadDocument read, Progress const& progress) {
 }
 
 /// The file's document takes the place of this one, and its name.
-void open_document(Turn& turn, Document document, std::string const& name) {
+void open_document(EditorTurn& turn, Document document, std::string const& name) {
   auto& state = turn.state;
   if (!commit(turn, std::vector<Command>{Replace{std::move(document)}}, "open")) return;
   state.saved = state.history.document();
@@ -126,7 +126,7 @@ void open_document(Turn& turn, Document document, std::string const& name) {
 }
 
 /// What is in the file comes to what is there, in front.
-void add_document(Turn& turn, Document const& added, std::string const& name) {
+void add_document(EditorTurn& turn, Document const& added, std::string const& name) {
   auto const& state = turn.state;
   auto both = merged(state.history.document(), added);
   if (!commit(turn, std::vector<Command>{Replace{std::move(both)}}, "open")) return;
@@ -137,7 +137,7 @@ void add_document(Turn& turn, Document const& added, std::string const& name) {
 
 std::span<ActionHandler const> file_handlers() { return kHandlers; }
 
-void open_file(Turn& turn, FileEvent const& file) {
+void open_file(EditorTurn& turn, FileEvent const& file) {
   if (file.use == FileUse::Template) return set_template(turn, file);
   auto read = read_document(file.bytes);
   if (!read) return say_unreadable(turn, read.error());

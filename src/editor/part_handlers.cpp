@@ -13,20 +13,20 @@ constexpr int kFarNudgePx = 10;
 
 /// The same change of every selected layer.
 template <typename MakeCommand>
-std::vector<Command> for_selection(Turn const& turn, MakeCommand make_command) {
+std::vector<Command> for_selection(EditorTurn const& turn, MakeCommand make_command) {
   std::vector<Command> commands;
   for (auto const id : turn.state.view.selection) commands.push_back(make_command(id));
   return commands;
 }
 
 /// False, and said, when nothing is selected.
-bool is_something_selected(Turn& turn) {
+bool is_something_selected(EditorTurn& turn) {
   if (has_selection(turn.state)) return true;
   say(turn, Severity::Warning, Word::NothingSelected);
   return false;
 }
 
-void rename(Turn& turn) {
+void rename(EditorTurn& turn) {
   if (!is_something_selected(turn)) return;
   auto const& name = turn.argument;
   commit_again(turn,
@@ -37,7 +37,7 @@ void rename(Turn& turn) {
                "rename_part");
 }
 
-void set_thickness(Turn& turn) {
+void set_thickness(EditorTurn& turn) {
   auto const thickness = number_of(turn.argument);
   if (!thickness) return refuse_argument(turn);
   if (!is_something_selected(turn)) return;
@@ -50,7 +50,7 @@ void set_thickness(Turn& turn) {
 }
 
 /// "none" for the default of whoever draws it.
-void set_fill(Turn& turn) {
+void set_fill(EditorTurn& turn) {
   auto const fill = turn.argument == "none" ? std::nullopt : parse_colour(turn.argument);
   if (!fill && turn.argument != "none") return refuse_argument(turn);
   if (!is_something_selected(turn)) return;
@@ -58,14 +58,14 @@ void set_fill(Turn& turn) {
 }
 
 /// The layer whose id the argument is: rows of a list act on their own layer, and a hidden one cannot be selected.
-DocumentLayer const* argued_layer(Turn const& turn) {
+DocumentLayer const* argued_layer(EditorTurn const& turn) {
   auto const id = number_of(turn.argument);
   if (!id || *id < 1 || *id > 2e9) return nullptr;
   return find_layer(turn.state.history.document(), static_cast<LayerId>(static_cast<int>(*id)));
 }
 
 /// Hides the selection; of a layer that is named, turns it round.
-void hide(Turn& turn) {
+void hide(EditorTurn& turn) {
   if (auto const* const layer = argued_layer(turn)) {
     commit(turn, std::vector<Command>{SetHidden{layer->layer.id, !layer->layer.is_hidden}},
            "hide_part");
@@ -76,7 +76,7 @@ void hide(Turn& turn) {
 }
 
 /// Locks the selection, or frees it when all of it is locked; of a layer that is named, turns it round.
-void lock(Turn& turn) {
+void lock(EditorTurn& turn) {
   if (auto const* const layer = argued_layer(turn)) {
     commit(turn, std::vector<Command>{SetLocked{layer->layer.id, !layer->layer.is_locked}},
            "lock_part");
@@ -97,7 +97,7 @@ void lock(Turn& turn) {
          "lock_part");
 }
 
-void move_to(Turn& turn) {
+void move_to(EditorTurn& turn) {
   auto const index = number_of(turn.argument);
   if (!index) return refuse_argument(turn);
   auto const& selection = turn.state.view.selection;
@@ -107,7 +107,7 @@ void move_to(Turn& turn) {
 }
 
 template <DepthStep kStep>
-void step(Turn& turn) {
+void step(EditorTurn& turn) {
   constexpr std::array names = {"depth_farther", "depth_nearer", "depth_back", "depth_front"};
   if (!is_something_selected(turn)) return;
   commit_if(turn, step_depth(turn.state.history.document(), turn.state.view.selection, kStep),
@@ -115,14 +115,14 @@ void step(Turn& turn) {
 }
 
 template <FlipAxis kAxis>
-void flip_selected(Turn& turn) {
+void flip_selected(EditorTurn& turn) {
   if (!is_something_selected(turn)) return;
   commit_if(turn, flip(turn.state.history.document(), turn.state.view.selection, kAxis),
             kAxis == FlipAxis::Horizontal ? "flip_horizontal" : "flip_vertical");
 }
 
 template <int kRightPx, int kDownPx>
-void nudge_selected(Turn& turn) {
+void nudge_selected(EditorTurn& turn) {
   if (!is_something_selected(turn)) return;
   commit_if(
       turn,

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "document/apply.h"
-#include "document/apply.h"
 #include "editor/scene_guides.h"
 #include "render/palette.h"
 

@@ -13,7 +13,7 @@ constexpr double kZoomStep = 1.25;
 constexpr double kTurnStepRad = 0.2617993877991494;  // 15 degrees
 constexpr double kHighestTiltRad = 1.5707963267948966;
 
-void view_changed(Turn& turn) {
+void view_changed(EditorTurn& turn) {
   turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
 }
 
@@ -22,13 +22,13 @@ Vec2 middle(View const& view) { return {view.size.width_px / 2, view.size.height
 bool is_drawing(EditorState const& state) { return state.view.mode == Mode::Draw; }
 bool is_turning(EditorState const& state) { return !is_drawing(state); }
 
-void draw(Turn& turn) {
+void draw(EditorTurn& turn) {
   turn.state.view.mode = Mode::Draw;
   view_changed(turn);
 }
 
 /// Strokes that are still rough are closed first: whoever wants a model wants all of the drawing in it.
-void show_model(Turn& turn, Mode mode) {
+void show_model(EditorTurn& turn, Mode mode) {
   auto& state = turn.state;
   if (has_rough_strokes(state.history.document()) && state.view.mode == Mode::Draw) {
     simplify_document(turn);
@@ -41,7 +41,7 @@ void show_model(Turn& turn, Mode mode) {
 }
 
 /// The paper in Draw, the model in the other modes.
-void zoom_by(Turn& turn, double factor) {
+void zoom_by(EditorTurn& turn, double factor) {
   auto& view = turn.state.view;
   if (view.mode == Mode::Draw) {
     view.camera = zoomed(view.camera, view.size, middle(view), factor);
@@ -51,7 +51,7 @@ void zoom_by(Turn& turn, double factor) {
   view_changed(turn);
 }
 
-void zoom_actual(Turn& turn) {
+void zoom_actual(EditorTurn& turn) {
   auto& view = turn.state.view;
   if (view.mode == Mode::Draw) {
     view.camera = zoomed(view.camera, view.size, middle(view), 1 / view.camera.zoom);
@@ -62,31 +62,31 @@ void zoom_actual(Turn& turn) {
   view_changed(turn);
 }
 
-void fit(Turn& turn, Rect const& box) {
+void fit(EditorTurn& turn, Rect const& box) {
   auto& view = turn.state.view;
   view.camera = fitted(view.camera, view.size, box);
   view_changed(turn);
 }
 
-void zoom_selection(Turn& turn) {
+void zoom_selection(EditorTurn& turn) {
   auto const& view = turn.state.view;
   if (view.selection.empty()) return say(turn, Severity::Warning, Word::NothingSelected);
   fit(turn, box_of(turn.state.history.document(), view.selection));
 }
 
-void mirror(Turn& turn) {
+void mirror(EditorTurn& turn) {
   auto& camera = turn.state.view.camera;
   camera = mirrored(camera);
   view_changed(turn);
 }
 
-void toggle_grid(Turn& turn) {
+void toggle_grid(EditorTurn& turn) {
   auto& view = turn.state.view;
   view.has_grid = !view.has_grid;
   view_changed(turn);
 }
 
-void look(Turn& turn) {
+void look(EditorTurn& turn) {
   auto& shading = turn.state.view.shading;
   if (turn.argument == "matcap") {
     shading = Shading::Matcap;
@@ -101,7 +101,7 @@ void look(Turn& turn) {
 }
 
 template <int kTurns, int kTilts>
-void turn_model(Turn& turn) {
+void turn_model(EditorTurn& turn) {
   auto& model = turn.state.view.model;
   model.turn_rad += kTurns * kTurnStepRad;
   model.tilt_rad =
@@ -109,19 +109,21 @@ void turn_model(Turn& turn) {
   view_changed(turn);
 }
 
-void reset_turn(Turn& turn) {
+void reset_turn(EditorTurn& turn) {
   turn.state.view.model = {};
   view_changed(turn);
 }
 
 constexpr std::array kHandlers = {
     ActionHandler{"mode_draw", draw, always},
-    ActionHandler{"mode_inflate", [](Turn& turn) { show_model(turn, Mode::Inflate); }, always},
-    ActionHandler{"mode_animate", [](Turn& turn) { show_model(turn, Mode::Animate); }, always},
-    ActionHandler{"zoom_in", [](Turn& turn) { zoom_by(turn, kZoomStep); }, always},
-    ActionHandler{"zoom_out", [](Turn& turn) { zoom_by(turn, 1 / kZoomStep); }, always},
+    ActionHandler{"mode_inflate", [](EditorTurn& turn) { show_model(turn, Mode::Inflate); },
+                  always},
+    ActionHandler{"mode_animate", [](EditorTurn& turn) { show_model(turn, Mode::Animate); },
+                  always},
+    ActionHandler{"zoom_in", [](EditorTurn& turn) { zoom_by(turn, kZoomStep); }, always},
+    ActionHandler{"zoom_out", [](EditorTurn& turn) { zoom_by(turn, 1 / kZoomStep); }, always},
     ActionHandler{"zoom_actual", zoom_actual, always},
-    ActionHandler{"zoom_fit", [](Turn& turn) { fit_paper(turn); }, always},
+    ActionHandler{"zoom_fit", [](EditorTurn& turn) { fit_paper(turn); }, always},
     ActionHandler{"zoom_selection", zoom_selection, has_selection},
     ActionHandler{"mirror_view", mirror, is_drawing},
     ActionHandler{"grid", toggle_grid, always},
@@ -137,7 +139,7 @@ constexpr std::array kHandlers = {
 
 std::span<ActionHandler const> view_handlers() { return kHandlers; }
 
-void fit_paper(Turn& turn) {
+void fit_paper(EditorTurn& turn) {
   auto const& document = turn.state.history.document();
   auto box = box_of(document);
   if (box.is_empty()) box = {{0, 0}, {document.width_px, document.height_px}};
