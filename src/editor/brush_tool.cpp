@@ -10,17 +10,15 @@ namespace inkflate {
 namespace {
 
 // Nearer samples are what a resting hand leaves: they tell nothing of the line. About the step of a good tablet.
-constexpr double kMergeDistance_px = 0.3;
+constexpr double kMergeDistancePx = 0.3;
 // Half of the window at the strongest smoothing, px of the screen: a tremble moves a few of them to and fro within 10 to 20.
-constexpr double kWidestHalfWindow_px = 16;
-constexpr double kLeastWidth_px = 0.5;
-constexpr double kLargestWidth_px = 100;
+constexpr double kWidestHalfWindowPx = 16;
 // A day: no stroke takes longer, whatever the clock says.
-constexpr double kLongest_s = 86'400;
+constexpr double kLongestS = 86'400;
 
 double half_window_px(View const& view) {
   double const strength = bounded(view.settings.smoothing, 0, 1);
-  return kWidestHalfWindow_px * strength / view.camera.zoom;
+  return kWidestHalfWindowPx * strength / view.camera.zoom;
 }
 
 Step drawing_step(ToolDrawing drawing) {
@@ -32,7 +30,8 @@ Step drawing_step(ToolDrawing drawing) {
 Step press_brush(StrokeKind kind, ToolPointer const& pointer, View const& view) {
   Stroke stroke;
   stroke.kind = kind;
-  stroke.width_px = bounded(view.settings.brush_px, kLeastWidth_px, kLargestWidth_px);
+  stroke.width_px =
+      bounded(view.settings.brush_px, ToolSettings::kLeastBrushPx, ToolSettings::kLargestBrushPx);
   stroke.colour = view.settings.ink;
   stroke.depth = pointer.is_secondary ? StrokeDepth::Far : StrokeDepth::Near;
   stroke.samples.push_back({pointer.canvas, pointer.pressure, 0});
@@ -42,13 +41,13 @@ Step press_brush(StrokeKind kind, ToolPointer const& pointer, View const& view) 
 /// The pointer as the next sample of a stroke.
 Sample next_sample(ToolDrawing const& drawing, ToolPointer const& pointer) {
   double const before = drawing.raw.samples.back().time_s;
-  double const now = std::min(pointer.time_s - drawing.start_s, kLongest_s);
+  double const now = std::min(pointer.time_s - drawing.start_s, kLongestS);
   return {pointer.canvas, pointer.pressure, std::max(before, now)};
 }
 
 void add_sample(std::vector<Sample>& raw, Sample const& next, double zoom) {
   auto& last = raw.back();
-  if (distance(last.position, next.position) * zoom < kMergeDistance_px) {
+  if (distance(last.position, next.position) * zoom < kMergeDistancePx) {
     last.pressure = std::max(last.pressure, next.pressure);
   } else {
     raw.push_back(next);
@@ -61,7 +60,7 @@ void add_last_sample(std::vector<Sample>& raw, Sample next, double zoom) {
   auto const& last = raw.back();
   if (last.position == next.position) return;
   bool const is_dot =
-      raw.size() == 1 && distance(last.position, next.position) * zoom < kMergeDistance_px;
+      raw.size() == 1 && distance(last.position, next.position) * zoom < kMergeDistancePx;
   if (is_dot) return;
   next.pressure = last.pressure;
   raw.push_back(next);

@@ -8,11 +8,9 @@
 namespace inkflate {
 namespace {
 
-constexpr double kLeastRadius_px = 1;
-constexpr double kLargestRadius_px = 200;
-
 double radius_px(View const& view) {
-  double const on_screen = bounded(view.settings.eraser_px, kLeastRadius_px, kLargestRadius_px);
+  double const on_screen = bounded(view.settings.eraser_px, ToolSettings::kLeastEraserPx,
+                                   ToolSettings::kLargestEraserPx);
   return on_screen / view.camera.zoom;
 }
 

@@ -11,7 +11,7 @@ namespace inkflate {
 namespace {
 
 // Far enough to see that there are two.
-constexpr Vec2 kCopyOffset_px = {20, 20};
+constexpr Vec2 kCopyOffsetPx = {20, 20};
 
 Error nothing(char const* why) { return {ErrorCode::NothingThere, why}; }
 
@@ -55,7 +55,7 @@ std::vector<Command> duplicates(Document const& document, std::vector<LayerId> c
 
 Result<std::vector<Command>> duplicate(Document const& document,
                                        std::vector<LayerId> const& selection) {
-  auto commands = duplicates(document, selection, kCopyOffset_px);
+  auto commands = duplicates(document, selection, kCopyOffsetPx);
   if (commands.empty()) return nothing("no part is selected");
   return commands;
 }

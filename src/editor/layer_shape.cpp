@@ -7,7 +7,7 @@ namespace inkflate {
 namespace {
 
 // 3 px of the screen at the largest zoom: a hand does not point more exactly.
-constexpr double kTolerance_px = 0.05;
+constexpr double kTolerancePx = 0.05;
 
 struct Edge {
   Vec2 from;
@@ -60,8 +60,8 @@ bool has_contour_in(LayerShape const& inner, LayerShape const& outer) {
 LayerShape layer_shape(Layer const& layer) {
   LayerShape shape;
   for (auto const& outline : layer.outlines) {
-    shape.contours.push_back(flatten(outline, kTolerance_px));
-    shape.box.include(bounds(shape.contours.back()));
+    shape.contours.push_back(flatten(outline, kTolerancePx));
+    shape.box = united(shape.box, bounds(shape.contours.back()));
   }
   return shape;
 }

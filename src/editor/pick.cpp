@@ -50,7 +50,7 @@ std::vector<LayerId> pickable(Document const& document, std::vector<LayerId> con
 Rect layer_box(DocumentLayer const& layer) {
   if (!layer.layer.outlines.empty()) return layer_shape(layer.layer).box;
   Rect box;
-  layer.strokes.for_each([&](auto const& stroke) { box.include(stroke->box); });
+  layer.strokes.for_each([&](auto const& stroke) { box = united(box, stroke->box); });
   return box;
 }
 
@@ -58,7 +58,7 @@ Rect box_of(Document const& document, std::vector<LayerId> const& layers) {
   Rect box;
   for (auto const& layer : *document.layers) {
     if (std::find(layers.begin(), layers.end(), layer->layer.id) == layers.end()) continue;
-    box.include(layer_box(*layer));
+    box = united(box, layer_box(*layer));
   }
   return box;
 }
@@ -67,11 +67,11 @@ Rect box_of(Document const& document) {
   Rect box;
   for (auto const& layer : *document.layers) {
     if (layer->layer.is_hidden) continue;
-    box.include(layer_box(*layer));
+    box = united(box, layer_box(*layer));
     if (!layer->layer.is_open) continue;
-    layer->strokes.for_each([&](auto const& stroke) { box.include(stroke->box); });
+    layer->strokes.for_each([&](auto const& stroke) { box = united(box, stroke->box); });
   }
-  document.loose.for_each([&](auto const& stroke) { box.include(stroke->box); });
+  document.loose.for_each([&](auto const& stroke) { box = united(box, stroke->box); });
   return box;
 }
 

@@ -12,8 +12,8 @@ namespace inkflate {
 namespace {
 
 // A click of a hand that is not quite still.
-constexpr double kDragThreshold_px = 4;
-constexpr double kPickReach_px = 6;
+constexpr double kDragThresholdPx = 4;
+constexpr double kPickReachPx = 6;
 
 std::vector<LayerId> joined(std::vector<LayerId> a, std::vector<LayerId> const& b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -141,7 +141,7 @@ Step clicked(ToolPressedOn const& pressed, View const& view) {
 
 Step move_select(ToolState const& state, ToolPointer const& now, ToolContext const& context) {
   if (auto const* pressed = std::get_if<ToolPressedOn>(&state)) {
-    bool const is_drag = distance(pressed->from.screen, now.screen) >= kDragThreshold_px;
+    bool const is_drag = distance(pressed->from.screen, now.screen) >= kDragThresholdPx;
     return is_drag ? start_drag(*pressed, now, context) : step_to(*pressed);
   }
   if (auto const* boxing = std::get_if<ToolBoxing>(&state)) {
@@ -155,7 +155,7 @@ Step move_select(ToolState const& state, ToolPointer const& now, ToolContext con
 
 }  // namespace
 
-double pick_reach_px(View const& view) { return kPickReach_px / view.camera.zoom; }
+double pick_reach_px(View const& view) { return kPickReachPx / view.camera.zoom; }
 
 Step select_step(ToolState const& state, ToolEvent const& event, ToolContext const& context) {
   if (auto const* hover = std::get_if<ToolHover>(&event)) {

@@ -8,11 +8,11 @@
 namespace inkflate {
 namespace {
 
-constexpr double kHandleReach_px = 10;
+constexpr double kHandleReachPx = 10;
 // Far enough from the top handle that a finger holds the right one.
-constexpr double kTurnHandleAbove_px = 28;
+constexpr double kTurnHandleAbovePx = 28;
 // Below it, the handles of opposite sides leave less than their own size between them.
-constexpr double kSmallBox_px = 4 * kHandleReach_px;
+constexpr double kSmallBoxPx = 4 * kHandleReachPx;
 
 /// A handle's place on the box: 0 the least, 1 the largest coordinate.
 struct HandlePlace {
@@ -40,7 +40,7 @@ std::optional<Frame> selection_frame(Document const& document, View const& view)
     frame.handles.push_back({place.handle, to_screen(canvas)});
   }
   auto const top = to_screen({box.centre().x, box.min.y});
-  frame.handles.push_back({FrameHandle::Turn, top - Vec2{0, kTurnHandleAbove_px}});
+  frame.handles.push_back({FrameHandle::Turn, top - Vec2{0, kTurnHandleAbovePx}});
   return frame;
 }
 
@@ -50,10 +50,10 @@ std::optional<FrameHandle> pick_handle(Frame const& frame, View const& view, Vec
   box.include(to_screen(frame.box.min));
   box.include(to_screen(frame.box.max));
   bool const is_inside = contains(box, screen);
-  bool const is_small = std::min(box.width(), box.height()) < kSmallBox_px;
+  bool const is_small = std::min(box.width(), box.height()) < kSmallBoxPx;
   if (is_inside && is_small) return FrameHandle::Inside;
   std::optional<FrameHandle> nearest;
-  double least = kHandleReach_px * kHandleReach_px;
+  double least = kHandleReachPx * kHandleReachPx;
   for (auto const& [handle, place] : frame.handles) {
     double const size = squared_norm(place - screen);
     if (size > least) continue;

@@ -11,10 +11,10 @@ namespace inkflate {
 namespace {
 
 // As drawing programs have it.
-constexpr double kTurnStep_rad = kPi / 12;
+constexpr double kTurnStepRad = kPi / 12;
 // Smaller factors lose digits that a later growth would show.
 constexpr double kLeastFactor = 0.01;
-constexpr double kLeastSide_px = 1;
+constexpr double kLeastSidePx = 1;
 
 /// Which side of an axis a handle holds: -1 the least, 1 the largest coordinate, 0 none.
 struct HeldSides {
@@ -61,7 +61,7 @@ Affine turn_map(Rect const& box, Vec2 from, Vec2 to, bool is_stepped) {
   auto const a = from - box.centre();
   auto const b = to - box.centre();
   double angle = atan2_of(b.y, b.x) - atan2_of(a.y, a.x);
-  if (is_stepped) angle = kTurnStep_rad * std::round(angle / kTurnStep_rad);
+  if (is_stepped) angle = kTurnStepRad * std::round(angle / kTurnStepRad);
   auto const turn = sin_cos(angle);
   return about(box.centre(), {turn.cos, turn.sin, -turn.sin, turn.cos, 0, 0});
 }
@@ -70,7 +70,7 @@ Affine turn_map(Rect const& box, Vec2 from, Vec2 to, bool is_stepped) {
 double factor(double side, double delta, double size) {
   if (side == 0) return 1;
   double const wanted = (side + delta) / side;
-  double const least = std::min(1.0, std::max(kLeastFactor, kLeastSide_px / size));
+  double const least = std::min(1.0, std::max(kLeastFactor, kLeastSidePx / size));
   return std::abs(wanted) >= least ? wanted : std::copysign(least, wanted);
 }
 

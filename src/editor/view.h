@@ -13,10 +13,7 @@ namespace inkflate {
 
 /// How the paper lies under the window. Immutable: each change gives another camera.
 struct Camera {
-  Vec2 centre =
-      {500,
-       500};  // the place of the canvas that is in the middle of the view, canvas px; within reach:
-              // DocumentLimits::kFarthestPx
+  Vec2 centre = {500, 500};  // px; in the middle of the view; within DocumentLimits::kFarthestPx
   double zoom = 1;           // px of the screen for one of the canvas, kLeastZoom .. kLargestZoom
   bool is_mirrored = false;  // left and right change places on the screen
 
@@ -41,7 +38,8 @@ Vec2 to_canvas(Camera const& camera, ViewSize const& size, Vec2 screen);
 
 /// The paper follows the hand: moved by a stretch of the screen.
 Camera panned(Camera const& camera, Vec2 screen_delta);
-/// Larger by a factor, with the place under the pointer staying where it is. The zoom stays within its limits, and the paper within reach.
+/// Larger by a factor, with the place under the pointer staying where it is. The zoom stays within its limits, and the paper
+/// within reach.
 Camera zoomed(Camera const& camera, ViewSize const& size, Vec2 screen, double factor);
 /// So that a rectangle of the canvas fills the view but for a margin; a single place comes to the middle.
 Camera fitted(Camera const& camera, ViewSize const& size, Rect const& box);
@@ -76,9 +74,6 @@ struct ToolSettings {
 
   friend bool operator==(ToolSettings const&, ToolSettings const&) = default;
 };
-
-inline constexpr double kLeastModelZoom = 0.1;
-inline constexpr double kLargestModelZoom = 20;
 
 /// What is looked at and how; none of it is in the document.
 struct View {

@@ -25,15 +25,17 @@ struct Rect {
     min = {std::min(min.x, p.x), std::min(min.y, p.y)};
     max = {std::max(max.x, p.x), std::max(max.y, p.y)};
   }
-  void include(Rect const& other) {
-    min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y)};
-    max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y)};
-  }
   /// Larger on every side; one that is empty stays so.
   Rect grown(double margin) const {
     return is_empty() ? *this : Rect{min - Vec2{margin, margin}, max + Vec2{margin, margin}};
   }
 };
+
+/// The smallest that holds both.
+inline Rect united(Rect const& a, Rect const& b) {
+  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
+          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
+}
 
 inline bool contains(Rect const& rect, Vec2 p) {
   return rect.min.x <= p.x && p.x <= rect.max.x && rect.min.y <= p.y && p.y <= rect.max.y;

@@ -57,7 +57,7 @@ Result<Simplify::Set> close_set(Document const& document, RoughSet const& set,
                                 CloseChoice const& choice, PartNames& names,
                                 Progress const& progress) {
   auto const sketch = set_sketch(document, set);
-  auto drawing = simplify(sketch, set_options(sketch, choice), progress);
+  auto drawing = simplify(sketch, set_options(sketch, set, choice), progress);
   if (!drawing) return drawing.error();
   Simplify::Set result = {set.layer, {}, set.depth, std::move(drawing->layers)};
   if (set.layer == LayerId::None) result.strokes = set.places;
@@ -118,7 +118,7 @@ Result<Simplify> close_layer_again(Document const& document, LayerId layer,
     return Error{ErrorCode::NothingThere, "the layer has no strokes to close: draw it again"};
   }
   PartNames names(document);
-  auto closed = close_set(document, layer_set(*known), choice, names, progress);
+  auto closed = close_set(document, layer_set(document, *known), choice, names, progress);
   if (!closed) return closed.error();
   return Simplify{{*std::move(closed)}};
 }

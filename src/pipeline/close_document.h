@@ -34,21 +34,27 @@ struct ClosedDocument {
 /// cost    that of simplify
 Result<ClosedDocument> close_document(Document const& document, Progress const& progress = {});
 
-/// The layer closed again, with another choice. errors: NothingThere (it has no strokes), those of simplify
+/// A layer closed again, with another choice. The command is for the open layer: one that is closed has to be opened before it (OpenLayer).
+///
+/// errors  NothingThere (no such layer, or it has no strokes), those of simplify
 Result<Simplify> close_layer_again(Document const& document, LayerId layer,
                                    CloseChoice const& choice, Progress const& progress = {});
 
 /// The shape that simplify would make, while one draws.
 struct ShapePreview {
-  std::vector<Contour> contours;   // canvas px, even-odd
+  std::vector<Contour> contours;  // canvas px
+  std::vector<int>
+      areas;  // per contour: its area, 0, 0, 1, ...; areas may overlap, each is even-odd by itself
   std::vector<Polyline> closings;  // the bridges over gaps
+
+  friend bool operator==(ShapePreview const&, ShapePreview const&) = default;
 };
 
 /// A quick look at what close_document would make: the same closings, outlines not yet smoothed to the end. Where there are more
 /// than 10,000 samples it looks at fewer of them.
 ///
-/// out     nothing to close: an empty preview
-/// cost    at most about 10 ms for 1000 strokes
+/// out     nothing to close, or cancelled: an empty preview
+/// cost    at most about 10 ms for 1000 strokes; a ShapePreviewer knows what it has seen
 ShapePreview preview_shape(Document const& document, Progress const& progress = {});
 
 }  // namespace inkflate

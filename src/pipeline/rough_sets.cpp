@@ -5,11 +5,18 @@
 #include <utility>
 
 namespace inkflate {
+namespace {
+
+bool is_in_candidate(std::vector<StrokeGroup> const& groups, Stroke const& stroke) {
+  return stroke.group >= 0 && is_candidate_layer(groups[stroke.group]);
+}
+
+}  // namespace
 
 std::vector<RoughSet> rough_sets(Document const& document) {
   std::vector<RoughSet> sets;
   for (auto const& layer : *document.layers) {
-    if (layer->layer.is_open) sets.push_back(layer_set(*layer));
+    if (layer->layer.is_open) sets.push_back(layer_set(document, *layer));
   }
   RoughSet near = {LayerId::None, StrokeDepth::Near, {}, {}};
   RoughSet far = {LayerId::None, StrokeDepth::Far, {}, {}};
@@ -25,9 +32,18 @@ std::vector<RoughSet> rough_sets(Document const& document) {
   return sets;
 }
 
-RoughSet layer_set(DocumentLayer const& layer) {
-  RoughSet set = {layer.layer.id, StrokeDepth::Near, {}, layer.strokes.to_vector()};
-  for (int i = 0; i < std::ssize(set.strokes); ++i) set.places.push_back(i);
+RoughSet layer_set(Document const& document, DocumentLayer const& layer) {
+  auto const all = layer.strokes.to_vector();
+  auto const is_candidate = [&](Shared<KeptStroke> const& kept) {
+    return is_in_candidate(*document.groups, kept->stroke);
+  };
+  bool const is_grouped = std::any_of(all.begin(), all.end(), is_candidate);
+  RoughSet set = {layer.layer.id, StrokeDepth::Near, {}, {}};
+  for (int i = 0; i < std::ssize(all); ++i) {
+    if (is_grouped && all[i]->stroke.group >= 0 && !is_candidate(all[i])) continue;
+    set.places.push_back(i);
+    set.strokes.push_back(all[i]);
+  }
   return set;
 }
 
@@ -38,12 +54,11 @@ Sketch set_sketch(Document const& document, RoughSet const& set) {
   return sketch;
 }
 
-SimplifyOptions set_options(Sketch const& sketch, CloseChoice const& choice) {
+SimplifyOptions set_options(Sketch const& sketch, RoughSet const& set, CloseChoice const& choice) {
   bool const is_grouped =
-      std::any_of(sketch.strokes.begin(), sketch.strokes.end(), [&](Stroke const& stroke) {
-        return stroke.group >= 0 && stroke.group < std::ssize(sketch.groups) &&
-               is_candidate_layer(sketch.groups[stroke.group]);
-      });
+      set.layer == LayerId::None &&
+      std::any_of(sketch.strokes.begin(), sketch.strokes.end(),
+                  [&](Stroke const& stroke) { return is_in_candidate(sketch.groups, stroke); });
   SimplifyOptions options;
   options.gap_px = choice.gap_px;
   options.outside = choice.outside;

@@ -20,14 +20,16 @@ struct RoughSet {
 /// strokes are left out.
 std::vector<RoughSet> rough_sets(Document const& document);
 
-/// All strokes of a layer, in their order.
-RoughSet layer_set(DocumentLayer const& layer);
+/// The strokes of a layer, in their order. Where some are in groups that may become layers, those in other groups, of construction
+/// lines and noise, were left out when it was made and are again.
+RoughSet layer_set(Document const& document, DocumentLayer const& layer);
 
 /// The set as simplify takes it: stroke i is the one at place i.
 Sketch set_sketch(Document const& document, RoughSet const& set);
 
-/// By groups where any of the strokes is in one that may become a layer.
-SimplifyOptions set_options(Sketch const& sketch, CloseChoice const& choice);
+/// Loose strokes by their groups, where any of them is in one that may become a layer. A layer as one: what is drawn to it belongs to
+/// it, whatever groups it was made of.
+SimplifyOptions set_options(Sketch const& sketch, RoughSet const& set, CloseChoice const& choice);
 
 /// With which a set of the document is closed.
 CloseChoice const& set_choice(Document const& document, RoughSet const& set);

@@ -28,7 +28,7 @@ enum class Parts {
 };
 
 enum class MarksBeyond {
-  Refuse,    // an inside mark beyond the strokes is a mistake
+  Refuse,  // an inside mark beyond the strokes is a mistake
   PassOver,  // it means nothing; always so with Parts::Groups, where a mark is meant for one of the groups
 };
 

@@ -20,9 +20,8 @@ constexpr double kFarthestPx = 1e6;
 /// The places of loose ends, work px; of too many those of the longest strokes.
 std::vector<Vec2> end_places(Sketch const& sketch, StrokeSamples const& samples) {
   auto ends = loose_ends(sketch, samples);
-  std::stable_sort(ends.begin(), ends.end(), [](LooseEnd const& a, LooseEnd const& b) {
-    return a.length_px > b.length_px;
-  });
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](LooseEnd const& a, LooseEnd const& b) { return a.length_px > b.length_px; });
   ends.resize(static_cast<std::size_t>(std::min(kMostEnds, std::ssize(ends))));
   std::vector<Vec2> places;
   places.reserve(ends.size());

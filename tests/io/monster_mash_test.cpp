@@ -372,5 +372,25 @@ TEST(WriteMonsterMash, WhatItCannotHoldIsRefused) {
   EXPECT_EQ(write_monster_mash({many}).error().code, ErrorCode::TooLarge);
 }
 
+TEST(WriteMonsterMash, HiddenLayersAreKeptButNotInThePictures) {
+  Outline square;
+  Vec2 const corners[] = {{100, 100}, {300, 100}, {300, 300}, {100, 300}};
+  for (int i = 0; i < 4; ++i) {
+    square.pieces.push_back({line_cubic(corners[i], corners[(i + 1) % 4])});
+  }
+  Project project;
+  project.drawing.sketch.width_px = 1000;
+  project.drawing.sketch.height_px = 800;
+  project.drawing.layers = {
+      {"seen", {square}, {}, {}}, {"hidden", {square}, {}, {}}, {"open", {}, {}, {}}};
+  project.drawing.layers[1].is_hidden = true;
+  auto const archive = write_monster_mash(project);
+  ASSERT_TRUE(archive.has_value());
+  EXPECT_EQ(read_or_fail(*archive), project);
+  EXPECT_EQ(read_or_fail(without_document(*archive)).drawing.layers.size(), 1U);
+  project.drawing.layers[0].is_hidden = true;
+  EXPECT_EQ(write_monster_mash(project).error().code, ErrorCode::NothingThere);
+}
+
 }  // namespace
 }  // namespace inkflate
