@@ -117,23 +117,31 @@ Swept::Stretch Swept::within(Capsule const& capsule, Vec2 a, Vec2 b) const {
   return whole;
 }
 
-bool Swept::covers(Vec2 p) const {
+std::vector<Swept::Capsule> Swept::capsules_near(Rect const& box) const {
+  std::vector<Capsule> near;
+  for (auto const& capsule : capsules_) {
+    if (do_overlap(box, capsule.box)) near.push_back(capsule);
+  }
+  return near;
+}
+
+bool Swept::covers(std::vector<Capsule> const& capsules, Vec2 p) const {
   double const reach_px = radius_px_ - tolerance_px_;
-  return std::any_of(capsules_.begin(), capsules_.end(), [&](Capsule const& capsule) {
+  return std::any_of(capsules.begin(), capsules.end(), [&](Capsule const& capsule) {
     return squared_distance_to_segment(p, capsule.from, capsule.to) < reach_px * reach_px;
   });
 }
 
-std::vector<Swept::Stretch> Swept::erased(Vec2 a, Vec2 b) const {
+std::vector<Swept::Stretch> Swept::erased(std::vector<Capsule> const& capsules, Vec2 a,
+                                          Vec2 b) const {
   Rect const box = box_of(a, b);
   std::vector<Stretch> found;
-  if (!may_meet(box)) return found;
   double const length_px = distance(a, b);
   if (length_px * length_px == 0) {
-    if (covers(a)) found.push_back({0, 1});
+    if (covers(capsules, a)) found.push_back({0, 1});
     return found;
   }
-  for (auto const& capsule : capsules_) {
+  for (auto const& capsule : capsules) {
     if (!do_overlap(box, capsule.box)) continue;
     auto const stretch = within(capsule, a, b);
     bool const is_whole = stretch.from <= 0 && stretch.to >= 1;
@@ -156,8 +164,12 @@ std::vector<Swept::Stretch> Swept::erased(Vec2 a, Vec2 b) const {
 
 std::optional<std::vector<Stroke>> Swept::cut(Stroke const& stroke) const {
   auto const& samples = stroke.samples;
+  Rect box;
+  for (auto const& sample : samples) box.include(sample.position);
+  auto const near = capsules_near(box);
+  if (near.empty()) return {};
   if (samples.size() == 1) {
-    if (!covers(samples.front().position)) return {};
+    if (!covers(near, samples.front().position)) return {};
     return std::vector<Stroke>{};
   }
   Pieces pieces(stroke);
@@ -166,7 +178,7 @@ std::optional<std::vector<Stroke>> Swept::cut(Stroke const& stroke) const {
     auto const& a = samples[i - 1];
     auto const& b = samples[i];
     double done = 0;
-    for (auto const& gone : erased(a.position, b.position)) {
+    for (auto const& gone : erased(near, a.position, b.position)) {
       is_met = true;
       if (gone.from > done) {
         if (!pieces.is_open()) pieces.add(between(a, b, done));
