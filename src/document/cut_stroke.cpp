@@ -14,12 +14,6 @@ constexpr double kLeastPiecePx = 0.5;
 /// Of the radius, for small erasers; in px for others. Far above rounding at 1e6 px, far below what can be seen.
 constexpr double kTolerance = 1e-6;
 
-bool do_overlap(Rect const& a, Rect const& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-
-Rect grown(Rect box, double by) { return {box.min - Vec2{by, by}, box.max + Vec2{by, by}}; }
-
 Rect box_of(Vec2 a, Vec2 b) {
   Rect box;
   box.include(a);
@@ -67,16 +61,16 @@ class Pieces {
 }  // namespace
 
 Swept::Swept(Polyline path, double radius_px)
-    : box_(grown(bounds(path), radius_px)),
+    : box_(bounds(path).grown(radius_px)),
       radius_px_(radius_px),
       tolerance_px_(kTolerance * std::min(1.0, radius_px)) {
   if (path.size() == 1) path.push_back(path.front());
   for (std::size_t i = 1; i < path.size(); ++i) {
-    capsules_.push_back({path[i - 1], path[i], grown(box_of(path[i - 1], path[i]), radius_px)});
+    capsules_.push_back({path[i - 1], path[i], box_of(path[i - 1], path[i]).grown(radius_px)});
   }
 }
 
-bool Swept::may_meet(Rect const& box) const { return do_overlap(box, box_); }
+bool Swept::may_meet(Rect const& box) const { return touch(box, box_); }
 
 /// A capsule is convex, so a line crosses it in one stretch: from where it enters the first of the two discs and the
 /// rectangle between them to where it leaves the last.
@@ -120,7 +114,7 @@ Swept::Stretch Swept::within(Capsule const& capsule, Vec2 a, Vec2 b) const {
 std::vector<Swept::Capsule> Swept::capsules_near(Rect const& box) const {
   std::vector<Capsule> near;
   for (auto const& capsule : capsules_) {
-    if (do_overlap(box, capsule.box)) near.push_back(capsule);
+    if (touch(box, capsule.box)) near.push_back(capsule);
   }
   return near;
 }
@@ -142,7 +136,7 @@ std::vector<Swept::Stretch> Swept::erased(std::vector<Capsule> const& capsules, 
     return found;
   }
   for (auto const& capsule : capsules) {
-    if (!do_overlap(box, capsule.box)) continue;
+    if (!touch(box, capsule.box)) continue;
     auto const stretch = within(capsule, a, b);
     bool const is_whole = stretch.from <= 0 && stretch.to >= 1;
     if (is_whole || (stretch.to - stretch.from) * length_px > tolerance_px_) {
