@@ -40,7 +40,8 @@ Result<std::vector<bool>> chosen_strokes(Simplify::Set const& set, int stroke_co
 }
 
 /// The set's shapes with all of its strokes named; those that no shape names are noise of the first.
-Result<std::vector<Layer>> complete_shapes(Simplify::Set const& set, std::vector<bool> is_chosen) {
+Result<std::vector<Layer>> complete_shapes(Simplify::Set const& set,
+                                           std::vector<bool> const& is_chosen) {
   if (set.shapes.empty()) return Error{ErrorCode::NothingThere, "no shape comes of the strokes"};
   auto shapes = set.shapes;
   int const stroke_count = static_cast<int>(std::ssize(is_chosen));

@@ -14,12 +14,6 @@ constexpr double kLeastPiecePx = 0.5;
 /// Of the radius, for small erasers; in px for others. Far above rounding at 1e6 px, far below what can be seen.
 constexpr double kTolerance = 1e-6;
 
-bool do_overlap(Rect const& a, Rect const& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-
-Rect grown(Rect box, double by) { return {box.min - Vec2{by, by}, box.max + Vec2{by, by}}; }
-
 Rect box_of(Vec2 a, Vec2 b) {
   Rect box;
   box.include(a);
@@ -67,16 +61,16 @@ class Pieces {
 }  // namespace
 
 Swept::Swept(Polyline path, double radius_px)
-    : box_(grown(bounds(path), radius_px)),
+    : box_(bounds(path).grown(radius_px)),
       radius_px_(radius_px),
       tolerance_px_(kTolerance * std::min(1.0, radius_px)) {
   if (path.size() == 1) path.push_back(path.front());
   for (std::size_t i = 1; i < path.size(); ++i) {
-    capsules_.push_back({path[i - 1], path[i], grown(box_of(path[i - 1], path[i]), radius_px)});
+    capsules_.push_back({path[i - 1], path[i], box_of(path[i - 1], path[i]).grown(radius_px)});
   }
 }
 
-bool Swept::may_meet(Rect const& box) const { return do_overlap(box, box_); }
+bool Swept::may_meet(Rect const& box) const { return touch(box, box_); }
 
 /// A capsule is convex, so a line crosses it in one stretch: from where it enters the first of the two discs and the
 /// rectangle between them to where it leaves the last.
@@ -117,24 +111,32 @@ Swept::Stretch Swept::within(Capsule const& capsule, Vec2 a, Vec2 b) const {
   return whole;
 }
 
-bool Swept::covers(Vec2 p) const {
+std::vector<Swept::Capsule> Swept::capsules_near(Rect const& box) const {
+  std::vector<Capsule> near;
+  for (auto const& capsule : capsules_) {
+    if (touch(box, capsule.box)) near.push_back(capsule);
+  }
+  return near;
+}
+
+bool Swept::covers(std::vector<Capsule> const& capsules, Vec2 p) const {
   double const reach_px = radius_px_ - tolerance_px_;
-  return std::any_of(capsules_.begin(), capsules_.end(), [&](Capsule const& capsule) {
+  return std::any_of(capsules.begin(), capsules.end(), [&](Capsule const& capsule) {
     return squared_distance_to_segment(p, capsule.from, capsule.to) < reach_px * reach_px;
   });
 }
 
-std::vector<Swept::Stretch> Swept::erased(Vec2 a, Vec2 b) const {
+std::vector<Swept::Stretch> Swept::erased(std::vector<Capsule> const& capsules, Vec2 a,
+                                          Vec2 b) const {
   Rect const box = box_of(a, b);
   std::vector<Stretch> found;
-  if (!may_meet(box)) return found;
   double const length_px = distance(a, b);
   if (length_px * length_px == 0) {
-    if (covers(a)) found.push_back({0, 1});
+    if (covers(capsules, a)) found.push_back({0, 1});
     return found;
   }
-  for (auto const& capsule : capsules_) {
-    if (!do_overlap(box, capsule.box)) continue;
+  for (auto const& capsule : capsules) {
+    if (!touch(box, capsule.box)) continue;
     auto const stretch = within(capsule, a, b);
     bool const is_whole = stretch.from <= 0 && stretch.to >= 1;
     if (is_whole || (stretch.to - stretch.from) * length_px > tolerance_px_) {
@@ -156,8 +158,12 @@ std::vector<Swept::Stretch> Swept::erased(Vec2 a, Vec2 b) const {
 
 std::optional<std::vector<Stroke>> Swept::cut(Stroke const& stroke) const {
   auto const& samples = stroke.samples;
+  Rect box;
+  for (auto const& sample : samples) box.include(sample.position);
+  auto const near = capsules_near(box);
+  if (near.empty()) return {};
   if (samples.size() == 1) {
-    if (!covers(samples.front().position)) return {};
+    if (!covers(near, samples.front().position)) return {};
     return std::vector<Stroke>{};
   }
   Pieces pieces(stroke);
@@ -166,7 +172,7 @@ std::optional<std::vector<Stroke>> Swept::cut(Stroke const& stroke) const {
     auto const& a = samples[i - 1];
     auto const& b = samples[i];
     double done = 0;
-    for (auto const& gone : erased(a.position, b.position)) {
+    for (auto const& gone : erased(near, a.position, b.position)) {
       is_met = true;
       if (gone.from > done) {
         if (!pieces.is_open()) pieces.add(between(a, b, done));

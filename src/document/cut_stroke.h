@@ -35,10 +35,12 @@ class Swept {
     double to = 0;
   };
 
+  /// Those that may meet something in the box: long ways pass most strokes by.
+  std::vector<Capsule> capsules_near(Rect const& box) const;
   Stretch within(Capsule const& capsule, Vec2 a, Vec2 b) const;
-  bool covers(Vec2 p) const;
+  bool covers(std::vector<Capsule> const& capsules, Vec2 p) const;
   /// The stretches of the segment that are erased: ascending, apart.
-  std::vector<Stretch> erased(Vec2 a, Vec2 b) const;
+  std::vector<Stretch> erased(std::vector<Capsule> const& capsules, Vec2 a, Vec2 b) const;
 
   std::vector<Capsule> capsules_;
   Rect box_;

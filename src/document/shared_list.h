@@ -67,7 +67,7 @@ class SharedList {
 
   /// Calls take(span) for as few parts of at most 8 as there can be.
   template <typename Entry, typename Take>
-  static void cut(std::vector<Entry> const& whole, Cut cut, Take take);
+  static void cut(std::vector<Entry> const& whole, Cut how, Take take);
   static std::vector<Share> leaves(std::vector<T> const& items, Cut how);
   static std::vector<Share> nodes_above(std::vector<Share> const& nodes, Cut how);
   static SharedList topped(std::vector<Share> nodes, Cut how);
@@ -79,13 +79,13 @@ class SharedList {
 
 template <typename T>
 template <typename Entry, typename Take>
-void SharedList<T>::cut(std::vector<Entry> const& whole, Cut cut, Take take) {
+void SharedList<T>::cut(std::vector<Entry> const& whole, Cut how, Take take) {
   std::size_t constexpr kMost = detail::kNodeEntries;
   std::size_t const parts = (whole.size() + kMost - 1) / kMost;
   std::span<Entry const> rest = whole;
   for (std::size_t i = 0; i < parts; ++i) {
     std::size_t const even = (rest.size() + parts - i - 1) / (parts - i);
-    std::size_t const count = cut == Cut::Even ? even : (rest.size() < kMost ? rest.size() : kMost);
+    std::size_t const count = how == Cut::Even ? even : (rest.size() < kMost ? rest.size() : kMost);
     take(rest.first(count));
     rest = rest.subspan(count);
   }

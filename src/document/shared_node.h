@@ -30,13 +30,15 @@ struct SharedNode {
   std::uint8_t level = 0;  // 0: the entries are elements; else nodes of one level less
 };
 
+/// Where the entries begin: aligned for all of them.
+inline constexpr std::size_t kEntriesOffsetBytes = 16;
+static_assert(sizeof(SharedNode) <= kEntriesOffsetBytes);
+
 template <typename Entry>
 Entry* entries(SharedNode* node) {
-  static_assert(alignof(Entry) <= alignof(std::max_align_t));
-  constexpr std::size_t kOffset = 16;  // aligned for every entry
-  static_assert(sizeof(SharedNode) <= kOffset);
+  static_assert(alignof(Entry) <= kEntriesOffsetBytes);
   auto* const bytes = static_cast<std::byte*>(static_cast<void*>(node));
-  return static_cast<Entry*>(static_cast<void*>(bytes + kOffset));
+  return static_cast<Entry*>(static_cast<void*>(bytes + kEntriesOffsetBytes));
 }
 
 /// Counts one owner less; true: it was the last.
@@ -47,14 +49,13 @@ inline bool drop_owner(SharedNode& node) {
 /// Memory for a node with room for its entries.
 template <typename Entry>
 SharedNode* allocate_node(std::size_t count, int level) {
-  auto* const node = new (::operator new(16 + count * sizeof(Entry))) SharedNode;
+  auto* const node = new (::operator new(kEntriesOffsetBytes + count * sizeof(Entry))) SharedNode;
   node->count = static_cast<std::uint8_t>(count);
   node->level = static_cast<std::uint8_t>(level);
   return node;
 }
 
-/// Gives up one share of a tree; what has no other owner goes. A loop, since trees are too deep for an array of frames only in theory:
-/// at each level at most the brothers of the node at work wait.
+/// Gives up one share of a tree; what has no other owner goes. At each level at most the brothers of the node at work wait.
 template <typename T>
 void release_node(SharedNode* node) {
   if (node == nullptr || !drop_owner(*node)) return;

@@ -67,12 +67,13 @@ TEST(TransformLayers, MirroredSourcesFollowTheirOutline) {
 }
 
 TEST(TransformLayers, MirroringTwiceIsNothing) {
-  auto const once = inkflate::apply(marked_ring(), TransformLayers{{LayerId{1}}, kMirror});
+  auto const before = marked_ring();
+  auto const once = inkflate::apply(before, TransformLayers{{LayerId{1}}, kMirror});
   ASSERT_TRUE(once);
   auto const twice = inkflate::apply(*once, TransformLayers{{LayerId{1}}, kMirror});
   ASSERT_TRUE(twice);
   auto const& outline = ring_of(*twice).outlines.front();
-  auto const& old = ring_of(marked_ring()).outlines.front();
+  auto const& old = ring_of(before).outlines.front();
   EXPECT_EQ(outline.sources, old.sources);
   for (std::size_t i = 0; i < old.pieces.size(); ++i) {
     EXPECT_LT(distance(outline.pieces[i].curve.start(), old.pieces[i].curve.start()), 1e-12);
