@@ -38,6 +38,11 @@ std::string_view action_of(Tool tool) {
 void change_gesture(EditorTurn& turn, Step& step) {
   auto& state = turn.state;
   if (step.effect == GestureEffect::None) return;
+  if (step.effect == GestureEffect::Replace && step.commands.empty()) {
+    state.gesture.reset();
+    turn.changes.is_scene_changed = true;
+    return;
+  }
   bool const is_new = step.effect == GestureEffect::Replace || !state.gesture;
   auto const& base = is_new ? state.history.document() : state.gesture->document;
   auto next = inkflate::apply(base, step.commands);
