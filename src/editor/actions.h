@@ -35,11 +35,11 @@ struct KeyChord {
 };
 
 struct Action {
-  std::string_view name;  // "undo": as events, recordings and remapping call it
-  Menu menu = Menu::Edit;
+  std::string_view name;     // "undo": as events, recordings and remapping call it
   std::string_view english;  // "Undo"
   std::string_view czech;    // "Zpět"
   std::string_view keys;     // "Ctrl+Shift+Z, Ctrl+Y": default chords, the first is shown
+  Menu menu = Menu::Edit;
   ActionArgument argument = ActionArgument::None;
   std::string_view choices = {};  // "on off": of a Choice
   KeyModes modes = KeyModes::All;
