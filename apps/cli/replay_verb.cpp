@@ -158,7 +158,8 @@ std::optional<Error> play(ReplayCall const& call, std::string const& input, Repl
 
 Result<Json> replay_one(ReplayCall const& call, ReplayPlan const& plan, int index) {
   StageClock clock;
-  Progress const progress = clock.timed({});
+  Progress const silent;
+  Progress const progress = clock.timed(silent);
   auto const& input = call.shared.inputs[index];
   ReplayOptions options = {folder_of(input), call.files, call.steps};
   if (!call.journal.empty()) options.journal.emplace(call.journal);

@@ -48,7 +48,7 @@ def mouse():
     parts = parts_of(mammals.mouse, "mouse")
     part(recording, parts["body"])
     slip(recording, [(120, 120), (320, 300), (420, 200)])
-    part(recording, parts["paws"])
+    part(recording, parts["paws"], layers=2)
     recording.pinch(1.6, (500, 200))
     part(recording, parts["near-ear"])
     part(recording, parts["far-ear"], button="secondary")
@@ -74,7 +74,7 @@ def alligator():
         recording.undo()
     for _ in range(4):
         recording.redo()
-    part(recording, parts["far-legs"], button="secondary")
+    part(recording, parts["far-legs"], layers=2, button="secondary")
     return recording
 
 
@@ -90,7 +90,7 @@ def dove():
     recording.pick("e")
     recording.stroke([(110, 400), (110, 500)], alt=True)
     recording.simplify(parts["near-wing"].fill)
-    part(recording, parts["twig"])
+    part(recording, parts["twig"], layers=2)
     return recording
 
 
@@ -106,6 +106,9 @@ def seahorse():
     recording.draw(body.marks[-3:])
     recording.simplify(body.fill)
     recording.pan(-60, 30)
+    recording.comment("the fin is open towards the body")
+    recording.pick("l")
+    recording.stroke([(642, 316), (650, 350), (662, 400), (668, 438)], button="secondary")
     part(recording, parts["dorsal-fin"], button="secondary")
     recording.pan(60, -30)
     return recording
@@ -116,8 +119,8 @@ def crab():
     recording = Recording(crab.__doc__)
     parts = parts_of(sea.crab, "crab")
     part(recording, parts["body"])
-    for name in ("right-claw", "left-claw", "right-legs", "left-legs"):
-        part(recording, parts[name], button="secondary")
+    for name, layers in (("right-claw", 1), ("left-claw", 1), ("right-legs", 3), ("left-legs", 3)):
+        part(recording, parts[name], layers, button="secondary")
     return recording
 
 
@@ -206,7 +209,6 @@ def octopus():
     x, y = arms[0][1]
     grip = (2 * centre[0] - x + COPY_OFFSET[0], y + COPY_OFFSET[1])
     recording.drag(grip, (1000 - x, y))
-    recording.key("Escape")
     return recording
 
 
@@ -242,7 +244,6 @@ def torus():
     centre_x = (258 + 500) / 2
     there = (2 * centre_x - grip[0] + COPY_OFFSET[0], grip[1] + COPY_OFFSET[1])
     recording.drag(there, (1000 - grip[0], grip[1]))
-    recording.key("Escape")
     return recording
 
 

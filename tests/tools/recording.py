@@ -121,6 +121,7 @@ class Recording:
     def show(self):
         """Small pictures of the drawing and of the model."""
         self.comment("done")
+        self.key("Escape")
         self.put(resize=[256, 208])
         self.action("zoom_fit")
         self.put(picture="drawing.png")
