@@ -133,6 +133,11 @@ int action_index(std::string_view name) {
   return -1;
 }
 
+std::string_view action_name(int index) {
+  bool const is_known = index >= 0 && index < std::ssize(actions());
+  return is_known ? actions()[static_cast<std::size_t>(index)].name : std::string_view();
+}
+
 Action const* find_action(std::string_view name) {
   int const index = action_index(name);
   return index < 0 ? nullptr : &kActions[index];

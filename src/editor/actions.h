@@ -52,6 +52,8 @@ std::span<Action const> actions();
 Action const* find_action(std::string_view name);
 /// Index in actions(); -1: none. As label of history entries.
 int action_index(std::string_view name);
+/// The other way round; empty: no such index.
+std::string_view action_name(int index);
 
 std::string_view label(Action const& action, Language language);
 std::string_view label(Menu menu, Language language);

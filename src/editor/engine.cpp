@@ -193,11 +193,6 @@ bool is_model_wanted(EditorState const& state) {
   return state.view.mode != Mode::Draw && !state.model.is_current(state.history.document());
 }
 
-std::string name_of(int label) {
-  bool const is_known = label >= 0 && label < std::ssize(actions());
-  return is_known ? std::string(actions()[static_cast<std::size_t>(label)].name) : std::string();
-}
-
 LayerRow row_of(Layer const& layer, View const& view) {
   return {layer.id,        layer.name,      layer.thickness, layer.fill,
           layer.is_hidden, layer.is_locked, layer.is_open,   is_selected(view, layer.id)};
@@ -287,8 +282,8 @@ EngineState Engine::state() const {
   }
   result.has_rough_strokes = has_rough_strokes(document);
   result.choice = *document.choice;
-  result.undo_name = name_of(state.history.undo_label());
-  result.redo_name = name_of(state.history.redo_label());
+  result.undo_name = action_name(state.history.undo_label());
+  result.redo_name = action_name(state.history.redo_label());
   result.is_saved = is_saved(state);
   result.file_name = state.file_name;
   result.language = state.language;
