@@ -21,10 +21,10 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   }
   auto const document = inkflate::read_document_json({reinterpret_cast<char const*>(data), size});
   if (document) {
-    auto const text = inkflate::write_document_json(*document);
+    auto const text = inkflate::write_document_json(document->project, document->template_name);
     auto const again = inkflate::read_document_json(text);
     CHECK(again.has_value() && *again == *document, "a written document reads as the same");
-    auto const file = inkflate::write_inkflate({document->drawing});
+    auto const file = inkflate::write_inkflate(document->project);
     CHECK(file.has_value(), "a document that was read can be saved");
   }
   return 0;

@@ -47,9 +47,8 @@ Result<ConvertPlan> make_plan(ConvertCall const& call) {
   return plan;
 }
 
-/// The layers that are there, or else in the way the sketch means them: by its groups, where it has some.
+/// In the way the sketch means it: by its groups, where it has some.
 Result<Drawing> closed(ReadDocument const& document, Progress const& progress) {
-  if (has_layers(document)) return document.project.drawing;
   auto const& groups = document.project.drawing.sketch.groups;
   RunSimplifyOptions options;
   if (std::any_of(groups.begin(), groups.end(), is_candidate_layer)) {
@@ -60,7 +59,7 @@ Result<Drawing> closed(ReadDocument const& document, Progress const& progress) {
 
 /// What the format needs, and nothing made that the file does not have: a scan becomes strokes, strokes stay as they are.
 Result<Project> project_for(ReadDocument& document, bool needs_layers, Progress const& progress) {
-  if (needs_layers) {
+  if (needs_layers && !has_layers(document)) {
     auto drawing = closed(document, progress);
     if (!drawing) return drawing.error();
     return Project{std::move(*drawing), std::move(document.project.template_picture)};
@@ -80,14 +79,14 @@ Result<Json> convert_one(ConvertCall const& call, ConvertPlan const& plan, int i
   auto document = load_document(call.shared, call.shared.inputs[index], progress);
   if (!document) return document.error();
   auto const format = plan.formats[index];
-  bool const is_picture = format == DrawingFormat::Mask && !call.wants_mask;
+  bool const is_picture = format == DrawingFormat::MaskPicture && !call.wants_mask;
   bool const needs_layers =
-      format == DrawingFormat::MonsterMash || (format == DrawingFormat::Mask && !is_picture);
+      format == DrawingFormat::MonsterMash || (format == DrawingFormat::MaskPicture && !is_picture);
   auto const project = project_for(*document, needs_layers, progress);
   if (!project) return project.error();
   progress.report("write");
   auto const& output = plan.outputs[index];
-  auto const error = is_picture ? write_drawing_picture(project->drawing, output)
+  auto const error = is_picture ? save_drawing_picture(project->drawing, output)
                                 : write_drawing(*project, format, output);
   if (error) return *error;
   clock.stop();

@@ -103,25 +103,31 @@ std::optional<Error> prepare(Project& project, InflateChoices const& choices) {
   return std::nullopt;
 }
 
-std::optional<Error> write_worn(Project const& project, RestModel const& model, Wear wear,
-                                ModelFormat format, std::string const& path,
-                                Progress const& progress) {
+/// What became of a project.
+struct Inflated {
+  Project const& project;
+  Drawing const& drawing;  // what is shown of it: the model is made of that
+  RestModel const& model;
+};
+
+std::optional<Error> write_worn(Inflated const& made, Wear wear, ModelFormat format,
+                                std::string const& path, Progress const& progress) {
   bool const has_texture = format == ModelFormat::Glb || format == ModelFormat::Obj;
   Texture texture;
   if (has_texture && wear != Wear::Nothing) {
     progress.report("texture");
-    texture = wear == Wear::Drawing ? bake_texture(project.drawing, model)
-                                    : wear_picture(*project.template_picture, model);
+    texture = wear == Wear::Drawing ? bake_texture(made.drawing, made.model)
+                                    : wear_picture(*made.project.template_picture, made.model);
   }
   progress.report("write");
-  return write_model(model, texture.corners.empty() ? nullptr : &texture, project.drawing, format,
+  return write_model(made.model, texture.corners.empty() ? nullptr : &texture, made.drawing, format,
                      path);
 }
 
-Json report_of(TriMesh const& mesh, Project const& project, std::string const& unit,
+Json report_of(TriMesh const& mesh, Drawing const& drawing, std::string const& unit,
                StageClock& clock) {
   clock.stop();
-  ModelFacts const facts = {static_cast<int>(std::ssize(project.drawing.layers)), unit};
+  ModelFacts const facts = {static_cast<int>(std::ssize(drawing.layers)), unit};
   return Json::parse(json_report(mesh, check_mesh(mesh), facts, clock.times()));
 }
 
@@ -136,49 +142,52 @@ struct InflateJob {
   std::string const& input;
 };
 
-Result<Json> finish_print(InflateJob const& job, Project const& project, RestModel const& model) {
-  auto const shell = solidify(model.mesh, *job.choices.print, job.progress);
+Result<Json> finish_print(InflateJob const& job, Inflated const& made) {
+  auto const shell = solidify(made.model.mesh, *job.choices.print, job.progress);
   if (!shell) return shell.error();
   job.progress.report("write");
   if (!job.path.empty()) {
     auto const format = std::get<ModelFormat>(job.format);
-    if (auto error = write_print(*shell, project.drawing, format, job.path)) return *error;
+    if (auto error = write_print(*shell, made.drawing, format, job.path)) return *error;
   }
   int const pieces = check_mesh(*shell).shells;
   if (pieces > 1 && !job.shared.is_quiet) {
     print_warning(job.input, "the print has " + std::to_string(pieces) +
                                  " pieces that do not touch; draw parts so that they overlap");
   }
-  return job.shared.is_json ? report_of(*shell, project, "mm", job.clock) : Json::object();
+  return job.shared.is_json ? report_of(*shell, made.drawing, "mm", job.clock) : Json::object();
 }
 
-Result<Json> finish_model(InflateJob const& job, Project const& project, RestModel const& model) {
+Result<Json> finish_model(InflateJob const& job, Inflated const& made) {
   std::optional<Error> error;
   if (auto const* format = std::get_if<DrawingFormat>(&job.format)) {
     job.progress.report("write");
-    error = write_drawing(project, *format, job.path);
+    error = write_drawing(made.project, *format, job.path);
   } else if (!job.path.empty()) {
-    error = write_worn(project, model, job.choices.wear, std::get<ModelFormat>(job.format),
-                       job.path, job.progress);
+    error = write_worn(made, job.choices.wear, std::get<ModelFormat>(job.format), job.path,
+                       job.progress);
   }
   if (error) return *error;
-  return job.shared.is_json ? report_of(model.mesh, project, "px", job.clock) : Json::object();
+  return job.shared.is_json ? report_of(made.model.mesh, made.drawing, "px", job.clock)
+                            : Json::object();
 }
 
 Result<Json> inflate_one(InflateCall const& call, InflatePlan const& plan, int index,
                          ProgressLine& line) {
   auto const& choices = plan.choices;
   StageClock clock;
-  Progress const shown = {[&](std::string_view stage) { line.show(stage); }, {}};
-  Progress const progress = clock.timed(shown);
+  Progress const told = {[&](std::string_view stage) { line.show(stage); }, {}};
+  Progress const progress = clock.timed(told);
   auto project = load_project(call.shared, call.shared.inputs[index], choices.simplify, progress);
   if (!project) return project.error();
   if (auto const error = prepare(*project, choices)) return *error;
-  auto const model = run_inflate(project->drawing, choices.inflate, progress);
+  auto const drawing = shown(project->drawing);
+  auto const model = run_inflate(drawing, choices.inflate, progress);
   if (!model) return model.error();
   InflateJob const job = {choices,  plan.formats[index], plan.outputs[index],      clock,
                           progress, call.shared,         call.shared.inputs[index]};
-  return choices.print ? finish_print(job, *project, *model) : finish_model(job, *project, *model);
+  Inflated const made = {*project, drawing, *model};
+  return choices.print ? finish_print(job, made) : finish_model(job, made);
 }
 
 ExitStatus run_inflate_verb(InflateCall const& call) {

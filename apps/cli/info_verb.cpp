@@ -6,10 +6,10 @@
 
 #include "cli/batch.h"
 #include "cli/files.h"
-#include "cli/read_document.h"
 #include "cli/verb.h"
 #include "geometry/polyline.h"
 #include "io/numbers.h"
+#include "io/read_document.h"
 #include "io/svg_colour.h"
 
 namespace inkflate::cli {
@@ -46,6 +46,10 @@ Json layer_json(Layer const& layer) {
   json["open"] = count_runs(layer, RunKind::HelpLine);
   json["strokes"] = layer.strokes.size();
   json["details"] = layer.details.size();
+  if (!layer.noise.empty()) json["noise"] = layer.noise.size();
+  if (layer.is_hidden) json["hidden"] = true;
+  if (layer.is_locked) json["locked"] = true;
+  if (layer.is_open) json["being_drawn"] = true;
   return json;
 }
 
@@ -92,6 +96,10 @@ Result<Json> report_on(std::string const& input, bool is_quiet) {
     return report;
   }
   add_drawing(report, document->project.drawing);
+  if (auto const& pins = document->project.pins; !pins.empty()) report["pins"] = pins.size();
+  if (auto const& clip = document->project.clip; clip.length_s > 0) {
+    report["clip"] = {{"length", clip.length_s}, {"tracks", clip.tracks.size()}};
+  }
   if (auto const& picture = document->project.template_picture) {
     report["template"] = size_json(picture->width, picture->height);
   }
@@ -124,6 +132,15 @@ std::string look_text(Json const& part) {
   return text;
 }
 
+std::string state_text(Json const& layer) {
+  std::string text;
+  if (layer.contains("noise")) text += ", " + counted(layer["noise"], "noise stroke");
+  if (layer.contains("hidden")) text += ", hidden";
+  if (layer.contains("locked")) text += ", locked";
+  if (layer.contains("being_drawn")) text += ", being drawn";
+  return text;
+}
+
 std::string as_lines(std::string const& input, Json const& report) {
   auto const format = report["format"].get<std::string>();
   std::string text = input + ": " + format + ", " + counted(report["bytes"], "byte") + "\n";
@@ -141,7 +158,12 @@ std::string as_lines(std::string const& input, Json const& report) {
     text += "  layer " + quoted(layer["name"]) + ": " + counted(layer["strokes"], "stroke") + ", " +
             counted(layer["details"], "detail") + ", " + counted(layer["holes"], "hole") + ", " +
             counted(layer["open"], "open run") + ", " + counted(layer["closings"], "closing") +
-            look_text(layer) + "\n";
+            look_text(layer) + state_text(layer) + "\n";
+  }
+  if (report.contains("pins")) text += "  " + counted(report["pins"], "pin") + "\n";
+  if (report.contains("clip")) {
+    text += "  clip of " + number(report["clip"]["length"]) + " s, " +
+            counted(report["clip"]["tracks"], "track") + "\n";
   }
   if (report.contains("template")) text += "  template picture " + sides(report["template"]) + "\n";
   return text;

@@ -10,7 +10,7 @@ namespace inkflate::cli {
 
 Result<ReadDocument> load_document(SharedOptions const& options, std::string const& input,
                                    Progress const& progress) {
-  progress.report("read");
+  if (!progress.enter("read")) return Error{ErrorCode::Cancelled, "stopped on request"};
   auto const content = read_file(input);
   if (!content) return content.error();
   auto document = read_document(*content);
@@ -30,6 +30,11 @@ Result<Project> load_project(SharedOptions const& options, std::string const& in
   if (!drawing) return drawing.error();
   document->project.drawing = std::move(*drawing);
   return std::move(document->project);
+}
+
+SketchSource sketch_source(ReadDocument const& document) {
+  if (document.scan) return *document.scan;
+  return shown_sketch(document.project.drawing);
 }
 
 }  // namespace inkflate::cli

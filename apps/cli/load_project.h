@@ -5,8 +5,8 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "cli/read_document.h"
 #include "cli/verb.h"
+#include "io/read_document.h"
 #include "model/project.h"
 #include "pipeline/run_simplify.h"
 
@@ -23,5 +23,8 @@ Result<ReadDocument> load_document(SharedOptions const& options, std::string con
 /// errors  those of load_document and run_simplify
 Result<Project> load_project(SharedOptions const& options, std::string const& input,
                              RunSimplifyOptions const& simplify, Progress const& progress);
+
+/// What simplify starts from: the scan, or all strokes that are not hidden.
+SketchSource sketch_source(ReadDocument const& document);
 
 }  // namespace inkflate::cli

@@ -123,16 +123,16 @@ Result<Picture> picture_of_model(Drawing const& drawing, RenderCall const& call,
 Result<Json> render_one(RenderCall const& call, RenderPlan const& plan, int index,
                         ProgressLine& line) {
   StageClock clock;
-  Progress const shown = {[&](std::string_view stage) { line.show(stage); }, {}};
-  Progress const progress = clock.timed(shown);
+  Progress const told = {[&](std::string_view stage) { line.show(stage); }, {}};
+  Progress const progress = clock.timed(told);
   RunSimplifyOptions simplify_options;
   simplify_options.simplify.parts = Parts::Groups;
   auto const project =
       load_project(call.shared, call.shared.inputs[index], simplify_options, progress);
   if (!project) return project.error();
-  auto const& drawing = project->drawing;
-  auto const picture = call.look == Look::Drawing ? picture_of_drawing(drawing, plan)
-                                                  : picture_of_model(drawing, call, plan, progress);
+  auto const picture = call.look == Look::Drawing
+                           ? picture_of_drawing(project->drawing, plan)
+                           : picture_of_model(shown(project->drawing), call, plan, progress);
   if (!picture) return picture.error();
   progress.report("write");
   if (auto const error = write_file(plan.outputs[index], write_png(*picture))) return *error;

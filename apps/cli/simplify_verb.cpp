@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "cli/batch.h"
+#include "cli/console.h"
 #include "cli/files.h"
 #include "cli/load_project.h"
 #include "cli/output_plan.h"
@@ -75,7 +77,7 @@ std::optional<Error> write_outputs(Project const& project, SimplifyPlan const& p
     if (auto error = write_drawing(project, plan.formats[index], output)) return error;
   }
   auto const& picture = plan.pictures[index];
-  return picture.empty() ? std::nullopt : write_drawing_picture(project.drawing, picture);
+  return picture.empty() ? std::nullopt : save_drawing_picture(project.drawing, picture);
 }
 
 Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, int index,
@@ -87,6 +89,11 @@ Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, in
   if (!read) return read.error();
   auto drawing = run_simplify(sketch_source(*read), plan.options, progress);
   if (!drawing) return drawing.error();
+  auto const& layers = read->project.drawing.layers;
+  if (!call.shared.is_quiet && std::any_of(layers.begin(), layers.end(),
+                                           [](Layer const& layer) { return layer.is_hidden; })) {
+    print_warning(call.shared.inputs[index], "left out what lies in hidden layers");
+  }
   Project project = {std::move(*drawing)};
   // Strokes that were moved alone would no longer lie where they were traced.
   if (!call.words.fits) project.template_picture = std::move(read->project.template_picture);

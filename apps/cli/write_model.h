@@ -5,26 +5,16 @@
 #include <string>
 
 #include "base/result.h"
-#include "model/project.h"
-#include "model/rest_model.h"
+#include "io/model_files.h"
 
 namespace inkflate::cli {
 
-/// What a model can be written as.
-enum class ModelFormat {
-  Glb,  // standard output gets this
-  Obj,  // with NAME.mtl and NAME.png beside it
-  Stl,
-  ThreeMf,
-};
-
-/// By the extension of the output's name, in any case; nothing: none of these.
+/// By the extension of the output's name, in any case; standard output gets GLB; nothing: none of these.
 std::optional<ModelFormat> model_format(std::string const& path);
 
-/// The model as it is, put in place as a whole. STL and 3MF are 100 mm along their longest side and stand upright.
+/// The model as it is, with what belongs to it beside it, each file put in place as a whole.
 ///
-/// in      texture: for GLB and OBJ; none: a plain material
-///         drawing: its layers' colours are those of a 3MF
+/// in      as write_model_files
 /// errors  FileSystem
 std::optional<Error> write_model(RestModel const& model, Texture const* texture,
                                  Drawing const& drawing, ModelFormat format,

@@ -50,7 +50,6 @@ Result<std::vector<Layer>> complete_shapes(Simplify::Set const& set, std::vector
       return bad_input("a shape without outline");
     }
     if (auto fault = layer_fault(shape, stroke_count)) return *fault;
-    if (auto fault = name_fault(shape.name)) return *fault;
     for (auto const* list : {&shape.strokes, &shape.details, &shape.noise}) {
       for (int const stroke : *list) {
         if (!is_chosen[static_cast<std::size_t>(stroke)]) {

@@ -25,6 +25,8 @@ Error off_sheet(std::string const& what) {
   return bad_input(what + " is no number or lies farther than 1 000 000 px from the canvas");
 }
 
+Error not_utf8() { return bad_option("the name is no text in UTF-8"); }
+
 bool are_indices(std::vector<int> const& indices, int count) {
   for (int const index : indices) {
     if (index < 0 || index >= count) return false;
@@ -129,7 +131,7 @@ Fault thickness_fault(double thickness) {
 
 Fault name_fault(std::string_view name) {
   if (name.size() > kLongestNameBytes) return bad_option("a name of more than 200 bytes");
-  if (!is_utf8(name)) return bad_option("the name is no text in UTF-8");
+  if (!is_utf8(name)) return not_utf8();
   return {};
 }
 
@@ -143,6 +145,7 @@ Fault layer_fault(Layer const& layer, int stroke_count) {
     if (auto fault = outline_fault(outline, stroke_count)) return fault;
   }
   if (auto fault = thickness_fault(layer.thickness)) return fault;
+  if (!is_utf8(layer.name)) return not_utf8();
   return choice_fault(layer.choice);
 }
 

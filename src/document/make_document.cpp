@@ -52,6 +52,7 @@ Fault drawing_fault(Project const& project) {
   }
   for (auto const& group : drawing.sketch.groups) {
     if (auto fault = thickness_fault(group.thickness)) return fault;
+    if (!is_utf8(group.name)) return Error{ErrorCode::BadInput, "a group's name is not in UTF-8"};
   }
   std::set<LayerId> ids;
   for (std::ptrdiff_t i = 0; i < std::ssize(drawing.layers); ++i) {

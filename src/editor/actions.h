@@ -21,6 +21,12 @@ enum class Menu { File, Edit, View, Tool, Part, Model, Help };
 /// What an action needs beside its name.
 enum class ActionArgument { None, Number, Text, Colour, Place, Choice };
 
+/// Where the keys of an action count. By its name it can be called anywhere.
+enum class KeyModes { All, Draw, Model };  // Model: Inflate and Animate
+
+/// What becomes of a key that is held down.
+enum class KeyRepeat { Once, Again };
+
 struct KeyChord {
   std::string key;  // as KeyEvent::key; letters small
   Modifiers modifiers = {};
@@ -35,6 +41,9 @@ struct Action {
   std::string_view czech;    // "Zpět"
   std::string_view keys;     // "Ctrl+Shift+Z, Ctrl+Y": default chords, the first is shown
   ActionArgument argument = ActionArgument::None;
+  std::string_view choices = {};  // "on off": of a Choice
+  KeyModes modes = KeyModes::All;
+  KeyRepeat repeat = KeyRepeat::Once;
 };
 
 /// In the order of the menus.
@@ -47,24 +56,31 @@ int action_index(std::string_view name);
 std::string_view label(Action const& action, Language language);
 std::string_view label(Menu menu, Language language);
 
-/// "Ctrl+Shift+Z" as a chord; nothing when it is none.
+/// "Ctrl+Shift+Z" as a chord; nothing when it is none. The key is one sign, "Space", or the name of a key that types nothing. Tab is
+/// none: it leads from one thing on the screen to the next.
 std::optional<KeyChord> parse_chord(std::string_view text);
 std::string chord_text(KeyChord const& chord);
+/// "Ctrl+Y, Ctrl+Shift+Z"; an empty text is an empty list. Nothing when one of them is no chord, or there are more than 16.
+std::optional<std::vector<KeyChord>> parse_chords(std::string_view text);
 
-enum class SingleKeys {
-  On,
-  Off
-};  // Off: keys without Ctrl or Alt do nothing, but for Esc, Enter, Delete and arrows
+/// Whether a key, as KeyEvent::key or KeyChord::key, types a sign: it is one code point of UTF-8.
+bool types_sign(std::string_view key);
+
+/// Off: keys that type a sign do nothing without Ctrl or Alt (WCAG 2.1.4: who speaks to the computer types by chance).
+enum class SingleKeys { On, Off };
 
 /// Which key does what: the table's keys, and what a person changed.
 class KeyMap {
  public:
   KeyMap();
 
-  /// The action of a key; empty: none. Shift counts only where the chord names it or the key is a letter; a chord that exists for the mode wins.
+  /// The action of a key; empty: none, or the key is held down and the action does not repeat. The exact chord wins. Else Shift does
+  /// not count unless the key is a letter, and Alt does not where it made the sign (AltGr): keyboards of many countries have
+  /// "+", "?" or "[" only there.
   std::string_view action_for(KeyEvent const& event, Mode mode) const;
 
-  /// The action gets these chords and no other. Chords that another action had are taken from it; those actions are returned.
+  /// The action gets these chords and no other. Chords that another action had in the same mode are taken from it; those actions are
+  /// returned.
   ///
   /// errors  BadInput (no such action, a text that is no chord)
   Result<std::vector<std::string>> remap(std::string_view action, std::string_view chords);
@@ -72,6 +88,13 @@ class KeyMap {
   void set_single_keys(SingleKeys single_keys);
 
   std::string chords_of(std::string_view action) const;  // "Ctrl+Shift+Z, Ctrl+Y"
+
+ private:
+  /// Index in actions(), -1: none.
+  int find(KeyChord const& chord, Mode mode) const;
+
+  std::vector<std::vector<KeyChord>> chords_;  // one list for each of actions()
+  SingleKeys single_keys_ = SingleKeys::On;
 };
 
 }  // namespace inkflate

@@ -27,7 +27,7 @@ enum class Word {
   Saved,
   Exported,
   Recovered,
-  Undone,  // {0}: an action
+  Undone,  // {0}: the name of an action
   Redone,
   // Warnings and problems
   NothingRough,  // Simplify without loose strokes
@@ -52,7 +52,7 @@ struct Message {
   friend bool operator==(Message const&, Message const&) = default;
 };
 
-/// The message for people; plurals as the language wants them.
+/// The message for people; plurals as the language wants them, actions by their labels. Reasons stay as they came.
 std::string text_of(Message const& message, Language language);
 
 }  // namespace inkflate

@@ -19,7 +19,9 @@ struct DownPointer {
   PointerButton button = PointerButton::Primary;
   Vec2 first;  // screen px
   Vec2 last;
+  double farthest_px = 0;  // from first, so far
   double first_time_s = 0;
+  bool is_ignored = false;  // until it is lifted: a palm, or its gesture was taken over or dropped
 };
 
 /// What the pointers are doing together.
@@ -28,25 +30,29 @@ enum class PointerUse {
   Tool,     // one pointer works with a tool
   Pan,      // one moves the paper or the model: Space, middle button, a finger where a pen draws
   Turn,     // one turns the model
-  Pinch,    // two or three fingers move and zoom
-  Ignored,  // a palm; what is left of a gesture that was cancelled
+  Pinch,    // two or more fingers move and zoom
+  Ignored,  // the finger that is left of a pinch: it waits for another to go on
 };
 
 /// Everything that has to be remembered between pointer events. A plain value.
 struct PointerState {
   std::vector<DownPointer> down;
   PointerUse use = PointerUse::None;
-  int tool_pointer = -1;    // id, for Tool, Pan, Turn
-  Tool tool = Tool::Brush;  // that the gesture works with: Eraser for a pen's other end
-  bool is_space_held = false;
-  bool was_pen_seen = false;  // then fingers pan and zoom
+  int tool_pointer = -1;       // id, for Tool, Pan, Turn
+  Tool tool = Tool::Brush;     // that the gesture works with: Eraser for a pen's other end
+  ToolPointer pointer;         // the last that this tool was told of
+  bool is_space_held = false;  // the engine sets it as it hears of the key
+  bool was_pen_seen = false;   // then fingers pan and zoom
   double last_pen_time_s = -1e9;
-  double last_time_s = 0;    // events never go back behind it
-  int fingers_at_most = 0;   // of this touch gesture: two tapped undo, three redo
-  bool has_pinched = false;  // moved far or long enough to be no tap
-  Vec2 last_press;           // for double clicks
+  double last_time_s = 0;     // events never go back behind it
+  double fingers_from_s = 0;  // when the first finger of this touch gesture came
+  int fingers_at_most = 0;    // of this touch gesture: two tapped undo, three redo
+  bool has_pinched = false;   // moved far or long enough to be no tap
+  Vec2 last_press;            // for double clicks
   double last_press_time_s = -1e9;
-  int clicks = 0;
+  PointerKind last_press_kind = PointerKind::Mouse;
+  PointerButton last_press_button = PointerButton::None;
+  int clicks = 0;  // of the last press; 0: it was no click
 };
 
 /// What one event means.
@@ -71,7 +77,11 @@ struct RouteStep {
 };
 
 /// Sorts pointers out: which one draws, which pan, pinch or are a palm; drops what is not finite. For every ToolPress there
-/// comes one ToolRelease or ToolCancel before the next, whatever is lost or comes twice.
+/// comes one ToolRelease or ToolCancel before the next, whatever is lost or comes twice: moves come only between the two, hovers
+/// only outside of them. A pointer that comes down while another works takes over, and what was done so far stays.
+///
+/// in      view: finite, in a size above 0
+/// out     pointers of tools lie within DocumentLimits::kFarthestPx, their time never runs backwards
 RouteStep route_pointer(PointerState const& state, PointerEvent const& event, View const& view);
 RouteStep route_wheel(PointerState const& state, WheelEvent const& event, View const& view);
 RouteStep route_gesture(PointerState const& state, GestureEvent const& event, View const& view);

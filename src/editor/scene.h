@@ -6,23 +6,15 @@
 #include <vector>
 
 #include "document/document.h"
+#include "editor/scene_caches.h"
+#include "editor/scene_chunk.h"
 #include "editor/tool.h"
 #include "editor/view.h"
 #include "image/grid2.h"
 #include "model/rest_model.h"
 #include "pipeline/close_document.h"
-#include "render/draw_list.h"
 
 namespace inkflate {
-
-enum class SceneSpace { Canvas, Screen };
-
-/// Things to draw that change together. A studio keeps what it made of a chunk for as long as its id comes again.
-struct SceneChunk {
-  std::uint64_t id = 0;  // another content has another id
-  SceneSpace space = SceneSpace::Canvas;
-  Shared<DrawList> list;
-};
 
 /// The model, to be drawn over the paper.
 struct ModelScene {
@@ -51,14 +43,25 @@ struct SceneInput {
   std::optional<ModelScene> model;
 };
 
-/// Makes scenes, and keeps the draw lists of layers and strokes that have not changed.
+/// Makes scenes, and keeps the draw lists of layers and strokes that have not changed: docs/algorithms/scene.md.
+///
+/// Whatever the view's numbers are, what comes out is finite. Ids ascend from 1 and never come again for other content; caches hold
+/// what the last scene shows, and no more.
 class SceneBuilder {
  public:
   /// cost    O(chunks) when nothing changed; else what changed
   Scene build(SceneInput const& input);
+
+ private:
+  void add_drawing(SceneInput const& input, View const& view, Scene& scene);
+
+  std::uint64_t next_id_ = 1;
+  SceneCaches caches_;
 };
 
-/// The scene as a picture, without a window or GPU.
+/// The scene as a picture, without a window or GPU: 0 .. 16384 px each way. The model stands over its soft shadow.
+///
+/// cost    that of rasterise and rasterise_model
 Picture picture_of(Scene const& scene);
 
 }  // namespace inkflate

@@ -12,7 +12,8 @@
 
 namespace inkflate {
 
-/// A pointer as tools see it: finite, on the canvas, with time that does not run backwards.
+/// A pointer as tools see it: finite, on the canvas, with time that does not run backwards. What is not finite is taken for nothing,
+/// and a release so for a cancel.
 struct ToolPointer {
   Vec2 canvas;
   Vec2 screen;
@@ -45,8 +46,10 @@ struct ToolIdle {};
 
 /// A line is being drawn.
 struct ToolDrawing {
-  Stroke raw;     // as it came
-  Stroke smooth;  // what it will be
+  Stroke raw;                // as it came
+  Stroke smooth;             // what it will be
+  double start_s = 0;        // time of the press
+  bool is_straight = false;  // smooth is the line from the press to the pointer
 };
 
 /// Area eraser: erased up to here.
@@ -54,16 +57,15 @@ struct ToolErasing {
   Vec2 last;  // canvas px
 };
 
-/// Line eraser: strokes met so far.
+/// Line eraser: what lay between here and the press is gone.
 struct ToolErasingLines {
-  std::vector<StrokeRef> strokes;
-  Vec2 last;
+  Vec2 last;  // canvas px
 };
 
-/// Pressed on a layer, not yet moved far enough to be a drag.
+/// Pressed, not yet moved far enough to be a drag.
 struct ToolPressedOn {
   ToolPointer from;
-  LayerId layer = LayerId::None;
+  LayerId layer = LayerId::None;  // that was picked; None: there was none
   int clicks = 1;
 };
 
@@ -71,7 +73,7 @@ struct ToolPressedOn {
 struct ToolBoxing {
   Vec2 from;  // canvas px
   Vec2 to;
-  std::vector<LayerId> before;  // selection at the press, kept with Shift
+  std::vector<LayerId> before;  // selection at the press: kept with Shift, and after a cancel
 };
 
 /// What of a selection's frame is held.
@@ -94,6 +96,7 @@ struct ToolTransforming {
   ToolPointer from;
   Rect box;  // of the selection at the press, canvas px
   std::vector<LayerId> layers;
+  bool is_copy = false;  // with Alt at the start: the layers stay, copies of them are moved
 };
 
 /// The paper is moved.
@@ -133,9 +136,10 @@ struct ToolContext {
 
 /// One transition of a tool's state machine. It touches nothing: same input, same step.
 ///
-/// in      a press only when idle; moves, releases only when not; the state is one that this tool gave
-/// cost    O(log n) while drawing; O(layers) where something is picked
-Step tool_step(Tool tool, ToolState const& state, ToolEvent const& event,
-               ToolContext const& context);
+/// in      a press only when idle; moves, releases only when not; the state is one that this tool gave. Events that come otherwise
+///         change nothing
+/// out     no command that apply would refuse with NothingThere
+/// cost    while drawing O(1) amortised, if the state is moved in; O(layers) where something is picked, O(strokes) for the eraser
+Step tool_step(Tool tool, ToolState state, ToolEvent const& event, ToolContext const& context);
 
 }  // namespace inkflate

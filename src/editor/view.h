@@ -13,7 +13,7 @@ namespace inkflate {
 
 /// How the paper lies under the window. Immutable: each change gives another camera.
 struct Camera {
-  Vec2 centre = {500, 500};  // the place of the canvas that is in the middle of the view, canvas px
+  Vec2 centre = {500, 500};  // px; in the middle of the view; within DocumentLimits::kFarthestPx
   double zoom = 1;           // px of the screen for one of the canvas, kLeastZoom .. kLargestZoom
   bool is_mirrored = false;  // left and right change places on the screen
 
@@ -30,16 +30,31 @@ struct ViewSize {
   friend bool operator==(ViewSize const&, ViewSize const&) = default;
 };
 
+/// Of all that follows: camera, model view and size are finite; a stretch, place, factor or box that is not, or that means
+/// nothing, changes nothing.
+
 Affine canvas_to_screen(Camera const& camera, ViewSize const& size);
 Vec2 to_canvas(Camera const& camera, ViewSize const& size, Vec2 screen);
 
 /// The paper follows the hand: moved by a stretch of the screen.
 Camera panned(Camera const& camera, Vec2 screen_delta);
-/// Larger by a factor, with the place under the pointer staying where it is. The zoom stays within its limits, and the paper within reach.
+/// Larger by a factor, with the place under the pointer staying where it is. The zoom stays within its limits, and the paper
+/// within reach.
 Camera zoomed(Camera const& camera, ViewSize const& size, Vec2 screen, double factor);
-/// So that a rectangle of the canvas fills the view but for a margin.
+/// So that a rectangle of the canvas fills the view but for a margin; a single place comes to the middle.
 Camera fitted(Camera const& camera, ViewSize const& size, Rect const& box);
+/// Left and right change places; the middle of the view stays.
 Camera mirrored(Camera const& camera);
+
+inline constexpr double kLeastModelZoom = 0.1;
+inline constexpr double kLargestModelZoom = 20;
+
+/// The viewer walks on around the model and rises above it: turn stays in [-pi, pi), tilt within a quarter turn.
+ModelView turned(ModelView const& model, double turn_rad, double tilt_rad);
+/// The model follows the hand.
+ModelView panned(ModelView const& model, Vec2 screen_delta);
+/// Larger by a factor, with the place under the pointer staying where it is.
+ModelView zoomed(ModelView const& model, ViewSize const& size, Vec2 screen, double factor);
 
 enum class Mode { Draw, Inflate, Animate };
 
@@ -50,7 +65,12 @@ struct ToolSettings {
   double brush_px = 3;  // width of strokes, canvas px, 0.5 .. 100
   Colour ink = {0x22, 0x24, 0x2b};
   double smoothing = 0.5;  // 0 .. 1: how much of the hand's tremble is taken out
-  double eraser_px = 12;   // radius on the screen, 1 .. 200
+  double eraser_px = 12;   // radius on the screen
+
+  static constexpr double kLeastBrushPx = 0.5;
+  static constexpr double kLargestBrushPx = 100;
+  static constexpr double kLeastEraserPx = 1;
+  static constexpr double kLargestEraserPx = 200;
 
   friend bool operator==(ToolSettings const&, ToolSettings const&) = default;
 };

@@ -41,10 +41,6 @@ struct Pair {
   int group = 0;
 };
 
-bool overlap(Rect const& a, Rect const& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-
 Pair describe(FlatModel const& model, std::vector<std::vector<int>> const& joints, int behind,
               int before) {
   Pair pair = {behind, before, false, {}, 0};
@@ -94,7 +90,7 @@ double count_lookups(std::span<LayerShape const> shapes) {
   double count = 0;
   for (std::size_t j = 0; j < shapes.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) {
-      if (!overlap(shapes[i].grid.box(), shapes[j].grid.box())) continue;
+      if (!touch(shapes[i].grid.box(), shapes[j].grid.box())) continue;
       count += static_cast<double>(shapes[i].mesh.points.size() + shapes[j].mesh.points.size());
     }
   }
@@ -177,7 +173,7 @@ void add_order_rules(FlatModel const& model, std::span<LayerShape const> shapes,
   int group = 0;
   for (int j = 0; j < std::ssize(shapes); ++j) {
     for (int i = 0; i < j; ++i) {
-      if (!overlap(shapes[i].grid.box(), shapes[j].grid.box())) continue;
+      if (!touch(shapes[i].grid.box(), shapes[j].grid.box())) continue;
       auto pair = describe(model, joints, i, j);
       pair.group = group++;
       auto const& behind = shapes[pair.behind];

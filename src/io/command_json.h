@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -10,9 +11,18 @@
 namespace inkflate {
 
 /// A command as one line of JSON that read_command gives back exactly: {"command": "add_stroke", ...}; docs/FORMATS.md.
+///
+/// in      numbers finite, as apply wants them; names in UTF-8 (other bytes become U+FFFD)
 std::string write_command(Command const& command);
 
-/// errors  BadInput (no JSON, an unknown command, a member that is missing or out of its range), TooLarge (JsonLimits)
+/// Whether a command suits a document only apply can tell; its indices and ids are those of that document.
+///
+/// errors  BadInput (no JSON, an unknown command, a member that is missing or out of its range), TooLarge (JsonLimits; pictures),
+///         Unsupported (a document of a newer version)
 Result<Command> read_command(std::string_view text);
+
+/// The same as a part of other JSON.
+nlohmann::ordered_json command_json(Command const& command);
+Result<Command> take_command(nlohmann::json const& json);
 
 }  // namespace inkflate

@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "io/byte_order.h"
+#include "io/journal.h"
 #include "io/numbers.h"
 #include "io/project_files.h"
 #include "io/read_zip.h"
@@ -103,6 +104,7 @@ FileFormat sniff_format(std::span<std::byte const> bytes) {
   auto const magic = text.substr(0, 4);
   if (magic == "PK\x03\x04" || magic == "PK\x05\x06") return sniff_zip(bytes);
   if (magic == "glTF") return FileFormat::Glb;
+  if (is_journal(bytes)) return FileFormat::Journal;
   // UTF-16 is told apart too, so that the SVG reader can say what is wrong with it.
   auto const plain = is_utf16(text) ? without_zeros(text.substr(2)) : std::string();
   if (!plain.empty()) text = plain;
@@ -132,6 +134,8 @@ char const* file_format_name(FileFormat format) {
       return "3MF";
     case FileFormat::Zip:
       return "zip";
+    case FileFormat::Journal:
+      return "journal";
     case FileFormat::Glb:
       return "GLB";
     case FileFormat::Obj:

@@ -15,6 +15,7 @@ enum class FileFormat {
   MonsterMash,  // a zip archive with _org_000.png or _seg_000.png
   ThreeMf,      // a zip archive with 3D/3dmodel.model
   Zip,          // any other zip archive
+  Journal,
   Glb,
   Obj,
   Stl,

@@ -14,12 +14,12 @@
 namespace inkflate {
 
 /// What was done to a document, in lines that are appended as it happens, so that work survives the end of the program. Every line
-/// ends with a check sum and a line break; a line that was torn at the end is as if it had never been begun.
+/// begins with a check sum and ends with a line break; a line that was torn at the end is as if it had never been begun.
 
 /// One entry of the history.
 struct JournalDo {
   std::vector<Command> commands;
-  int label = -1;
+  int label = -1;  // -1 or more
 };
 struct JournalUndo {};
 struct JournalRedo {};
@@ -28,6 +28,9 @@ using JournalEntry = std::variant<JournalDo, JournalUndo, JournalRedo>;
 /// The first line of every journal.
 std::string journal_start();
 std::string journal_line(JournalEntry const& entry);
+
+/// More lines than anybody draws; each may hold another document.
+inline constexpr int kMostJournalLines = 200'000;
 
 struct ReadJournal {
   History history;  // starts with the empty document
@@ -38,9 +41,13 @@ struct ReadJournal {
       false;  // something follows that is not the torn end of one line; it was left out
 };
 
-/// Does again what a journal tells, as far as it is whole.
+/// Whether the bytes begin as a journal does.
+bool is_journal(std::span<std::byte const> bytes);
+
+/// Does again what a journal tells, as far as it is whole. A line whose sum is wrong, that is no entry or that the document refuses
+/// ends it.
 ///
-/// errors  BadInput (not a journal), Unsupported (of a newer version), TooLarge
+/// errors  BadInput (not a journal), Unsupported (of a newer version), TooLarge (kMostJournalLines)
 /// cost    O(bytes + what the commands cost)
 Result<ReadJournal> read_journal(std::span<std::byte const> bytes);
 

@@ -149,6 +149,14 @@ void append_number(std::string& text, double number) {
   text += clean;
 }
 
+std::string hex_digits(std::uint64_t number) {
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) {
+    text += "0123456789abcdef"[number >> static_cast<unsigned>(shift) & 15U];
+  }
+  return text;
+}
+
 void append_rounded(std::string& text, double number) {
   append_number(text, std::abs(number) < 1e9 ? std::round(number * 1000) / 1000 : number);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,6 +34,9 @@ std::optional<int> take_index(std::string_view& text);
 /// Appends the shortest decimal of up to 15 digits that reads back as the same number, else one of 16 or 17.
 /// The number is finite.
 void append_number(std::string& text, double number);
+
+/// 16 digits of base 16, in small letters: how hashes are written.
+std::string hex_digits(std::uint64_t number);
 
 /// Appends the number rounded to three decimals: for what is only looked at.
 void append_rounded(std::string& text, double number);

@@ -109,7 +109,47 @@ bool parse_stroke(SvgElement const& element, int group_count, Stroke& stroke) {
     if (!index || *index >= group_count) return false;
     stroke.group = *index;
   }
+  if (auto const depth = element.find("inkflate:depth")) {
+    if (*depth != "far") return false;
+    stroke.depth = StrokeDepth::Far;
+  }
   return parse_samples(element, stroke.samples);
+}
+
+bool parse_points(std::string_view text, std::vector<Vec2>& points) {
+  while (!(text = trimmed(text)).empty()) {
+    Vec2 point;
+    if (!take_point(text, point)) return false;
+    points.push_back(point);
+  }
+  return true;
+}
+
+// Of the drawing or of a layer.
+bool parse_choice(SvgElement const& element, CloseChoice& choice) {
+  if (auto text = element.find("inkflate:gap")) {
+    double gap_px = 0;
+    if (!take_finite(*text, gap_px) || !(gap_px > 0 && gap_px <= kCoordinateLimit) ||
+        !text->empty())
+      return false;
+    choice.gap_px = gap_px;
+  }
+  return parse_points(element["inkflate:outside"], choice.outside) &&
+         parse_points(element["inkflate:inside"], choice.inside);
+}
+
+// What a layer rarely has.
+bool parse_state(SvgElement const& element, int stroke_count, Layer& layer) {
+  if (auto text = element.find("inkflate:id")) {
+    auto const id = take_index(*text);
+    if (!id || !text->empty()) return false;
+    layer.id = LayerId{*id};
+  }
+  layer.is_hidden = element["inkflate:hidden"] == "yes";
+  layer.is_locked = element["inkflate:locked"] == "yes";
+  layer.is_open = element["inkflate:open"] == "yes";
+  return parse_indices(element["inkflate:noise"], stroke_count, layer.noise) &&
+         parse_choice(element, layer.choice);
 }
 
 // piece_room is as many pieces as the path can hold: a count in a file is not believed.
@@ -196,7 +236,9 @@ class OwnReader {
         }
       }
     }
-    if (!parse_indices(root["inkflate:stray"], stroke_count(), drawing_.stray)) return damaged(0);
+    bool const has_rest = parse_indices(root["inkflate:stray"], stroke_count(), drawing_.stray) &&
+                          parse_choice(root, drawing_.choice);
+    if (!has_rest) return damaged(0);
     return std::move(drawing_);
   }
 
@@ -240,7 +282,8 @@ class OwnReader {
     bool const has_lists =
         parse_indices(element["inkflate:strokes"], stroke_count(), layer.strokes) &&
         parse_indices(element["inkflate:details"], stroke_count(), layer.details) &&
-        parse_look(element, layer.fill, layer.thickness);
+        parse_look(element, layer.fill, layer.thickness) &&
+        parse_state(element, stroke_count(), layer);
     if (!has_lists) return group;
     for (int i = group + 1; i < end_of(group); i = end_of(i)) {
       auto const child = tree_.element(i);

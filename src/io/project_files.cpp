@@ -56,8 +56,7 @@ std::vector<std::byte> preview(Drawing const& drawing) {
 
 Result<std::vector<ZipFile>> project_files(Project const& project) {
   auto const& picture = project.template_picture;
-  auto const text =
-      write_document_json({project.drawing, picture ? std::string(kTemplateFile) : std::string()});
+  auto const text = write_document_json(project, picture ? kTemplateFile : std::string_view());
   if (auto const limits = check_json_limits(text); !limits) return limits.error();
   std::vector<ZipFile> files;
   files.push_back({std::string(kDocumentFile), bytes_of(text)});
@@ -85,7 +84,7 @@ Result<Project> read_project_files(std::span<ZipEntry const> entries) {
   auto document =
       read_document_json({reinterpret_cast<char const*>(content->data()), content->size()});
   if (!document) return document.error();
-  Project project = {std::move(document->drawing)};
+  auto project = std::move(document->project);
   if (document->template_name.empty()) return project;
   auto const* const file = find_entry(entries, document->template_name);
   if (file == nullptr) {

@@ -176,8 +176,8 @@ std::string layers_text(std::size_t count) {
 }
 
 /// The program knows one thickness for all; it is told where ours is one, too.
-std::string settings_text(Project const& project) {
-  auto const& layers = project.drawing.layers;
+std::string settings_text(Project const& project, Drawing const& drawing) {
+  auto const& layers = drawing.layers;
   bool const is_common = std::all_of(layers.begin(), layers.end(), [&](Layer const& layer) {
     return layer.thickness == layers[0].thickness;
   });
@@ -202,8 +202,9 @@ std::vector<Part> parts_of(Drawing const& drawing, Affine const& map) {
 }  // namespace
 
 Result<std::vector<std::byte>> write_monster_mash(Project const& project) {
-  auto const map = canvas_map(project.drawing);
-  auto const parts = parts_of(project.drawing, map);
+  auto const drawing = shown(project.drawing);
+  auto const map = canvas_map(drawing);
+  auto const parts = parts_of(drawing, map);
   if (parts.empty()) {
     return Error{ErrorCode::NothingThere,
                  "a Monster Mash project needs closed layers; simplify the strokes first"};
@@ -220,9 +221,9 @@ Result<std::vector<std::byte>> write_monster_mash(Project const& project) {
   files.push_back({"layers.txt", bytes_of(layers_text(parts.size()))});
   files.push_back({"cps.txt", bytes_of(kVersionLine)});
   if (auto const& picture = project.template_picture) {
-    files.push_back({"template.png", write_png(place_template(*picture, project.drawing, map))});
+    files.push_back({"template.png", write_png(place_template(*picture, drawing, map))});
   }
-  files.push_back({"settings.txt", bytes_of(settings_text(project))});
+  files.push_back({"settings.txt", bytes_of(settings_text(project, drawing))});
   auto own = project_files(project);
   if (!own) return own.error();
   for (auto& file : *own) files.push_back(std::move(file));

@@ -13,6 +13,7 @@ namespace inkflate {
 namespace {
 
 constexpr Colour kFillColour = {0xf4, 0xec, 0xdd};
+constexpr std::string_view kNotDisplayed = " style=\"display:none\"";
 
 // Exact numbers carry the data, rounded ones are only looked at.
 using AppendNumber = void (*)(std::string&, double);
@@ -63,6 +64,22 @@ void append_indices(std::string& text, std::string_view name, std::vector<int> c
   });
 }
 
+void append_points(std::string& text, std::string_view name, std::vector<Vec2> const& points) {
+  if (points.empty()) return;
+  append_attribute(text, name, [&](std::string& t) {
+    for (auto const point : points) {
+      append_point(t, point, append_number);
+      t += ' ';
+    }
+  });
+}
+
+void append_choice(std::string& text, CloseChoice const& choice) {
+  if (choice.gap_px) append_number_attribute(text, "inkflate:gap", *choice.gap_px);
+  append_points(text, "inkflate:outside", choice.outside);
+  append_points(text, "inkflate:inside", choice.inside);
+}
+
 // #rrggbb, as every program knows it.
 std::string opaque_hex(Colour colour) { return colour_hex(colour).substr(0, 7); }
 
@@ -108,13 +125,14 @@ void append_rough_stroke(std::string& text, Stroke const& stroke) {
   append_per_sample(text, "inkflate:pressure", stroke.samples, &Sample::pressure, 1);
   append_per_sample(text, "inkflate:time", stroke.samples, &Sample::time_s, 0);
   if (stroke.group >= 0) append_number_attribute(text, "inkflate:group", stroke.group);
+  if (stroke.depth == StrokeDepth::Far) append_text_attribute(text, "inkflate:depth", "far");
   text += "/>\n";
 }
 
 void append_rough(std::string& text, Drawing const& drawing) {
   text += "<g";
   append_text_attribute(text, "class", kRoughClass);
-  if (!drawing.layers.empty()) text += " style=\"display:none\"";
+  if (!drawing.layers.empty()) text += kNotDisplayed;
   text += " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
   for (auto const& group : drawing.sketch.groups) {
     text += "<inkflate:group";
@@ -236,12 +254,38 @@ void append_runs(std::string& text, Outline const& outline, double width_px) {
   }
 }
 
-void append_detail(std::string& text, Stroke const& stroke) {
-  text += "<path class=\"detail\"";
+void append_pen_line(std::string& text, std::string_view name, Stroke const& stroke) {
+  text += "<path";
+  append_text_attribute(text, "class", name);
   append_attribute(text, "d",
                    [&](std::string& t) { append_polyline(t, stroke.samples, append_rounded); });
   append_pen(text, stroke);
   text += "/>\n";
+}
+
+// What a layer rarely has.
+void append_state(std::string& text, Layer const& layer) {
+  if (!layer.noise.empty()) append_indices(text, "inkflate:noise", layer.noise);
+  append_choice(text, layer.choice);
+  if (layer.id != LayerId::None) {
+    append_number_attribute(text, "inkflate:id", static_cast<int>(layer.id));
+  }
+  if (layer.is_locked) append_text_attribute(text, "inkflate:locked", "yes");
+  if (layer.is_open) append_text_attribute(text, "inkflate:open", "yes");
+  if (!layer.is_hidden) return;
+  append_text_attribute(text, "inkflate:hidden", "yes");
+  text += kNotDisplayed;
+}
+
+// For viewers: details, and of a layer that has no outline yet what is drawn of it.
+void append_pen_lines(std::string& text, Sketch const& sketch, Layer const& layer) {
+  auto const append_all = [&](std::string_view name, std::vector<int> const& strokes) {
+    for (int const stroke : strokes) {
+      append_pen_line(text, name, sketch.strokes[static_cast<std::size_t>(stroke)]);
+    }
+  };
+  if (layer.outlines.empty()) append_all("stroke", layer.strokes);
+  append_all("detail", layer.details);
 }
 
 void append_layer(std::string& text, Drawing const& drawing, std::size_t index) {
@@ -254,12 +298,11 @@ void append_layer(std::string& text, Drawing const& drawing, std::size_t index) 
   append_indices(text, "inkflate:strokes", layer.strokes);
   append_indices(text, "inkflate:details", layer.details);
   append_look(text, layer.fill, layer.thickness);
+  append_state(text, layer);
   text += " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
   append_area(text, layer);
   for (auto const& outline : layer.outlines) append_runs(text, outline, line_width_px(sketch));
-  for (int const stroke : layer.details) {
-    append_detail(text, sketch.strokes[static_cast<std::size_t>(stroke)]);
-  }
+  append_pen_lines(text, sketch, layer);
   text += "</g>\n";
 }
 
@@ -276,6 +319,7 @@ std::string write_svg(Drawing const& drawing) {
     append_point(t, {sketch.width_px, sketch.height_px}, append_number);
   });
   append_indices(text, "inkflate:stray", drawing.stray);
+  append_choice(text, drawing.choice);
   text += ">\n";
   append_rough(text, drawing);
   for (std::size_t i = 0; i < drawing.layers.size(); ++i) append_layer(text, drawing, i);

@@ -13,14 +13,41 @@ Contour flatten(Outline const& outline, double tolerance_px) {
   return contour;
 }
 
+bool is_shown(Layer const& layer) {
+  return !layer.is_hidden && !layer.outlines.empty() && !layer.outlines.front().pieces.empty();
+}
+
+Drawing shown(Drawing drawing) {
+  std::erase_if(drawing.layers, [](Layer const& layer) { return !is_shown(layer); });
+  return drawing;
+}
+
+Sketch shown_sketch(Drawing const& drawing) {
+  auto sketch = drawing.sketch;
+  std::vector<bool> is_hidden(sketch.strokes.size());
+  for (auto const& layer : drawing.layers) {
+    if (!layer.is_hidden) continue;
+    for (auto const* strokes : {&layer.strokes, &layer.details, &layer.noise}) {
+      for (int const stroke : *strokes) is_hidden[stroke] = true;
+    }
+  }
+  sketch.strokes.clear();
+  for (std::size_t i = 0; i < is_hidden.size(); ++i) {
+    if (!is_hidden[i]) sketch.strokes.push_back(drawing.sketch.strokes[i]);
+  }
+  return sketch;
+}
+
 void duplicate_behind(Drawing& drawing, int layer) {
   auto copy = drawing.layers[layer];
   copy.name += " copy";
+  copy.id = LayerId::None;
   auto& sketch = drawing.sketch;
   int const group = static_cast<int>(std::ssize(sketch.groups));
   sketch.groups.push_back({copy.name, copy.fill, copy.thickness});
   std::map<int, int> copies;
   auto const copy_stroke = [&](int& stroke) {
+    if (stroke < 0) return;  // a source that is not known
     auto const [entry, is_new] =
         copies.try_emplace(stroke, static_cast<int>(std::ssize(sketch.strokes)));
     if (is_new) {
@@ -32,6 +59,7 @@ void duplicate_behind(Drawing& drawing, int layer) {
   };
   for (int& stroke : copy.strokes) copy_stroke(stroke);
   for (int& stroke : copy.details) copy_stroke(stroke);
+  for (int& stroke : copy.noise) copy_stroke(stroke);
   for (auto& outline : copy.outlines) {
     for (auto& source : outline.sources) copy_stroke(source.stroke);
   }

@@ -90,8 +90,17 @@ struct Drawing {
   friend bool operator==(Drawing const&, Drawing const&) = default;
 };
 
+/// Whether a layer is seen and inflated: it is not hidden and has an outline.
+bool is_shown(Layer const& layer);
+
+/// The drawing with these layers alone. All strokes stay, so that indices mean the same.
+Drawing shown(Drawing drawing);
+
+/// The strokes of the drawing, but for those of hidden layers.
+Sketch shown_sketch(Drawing const& drawing);
+
 /// Puts a copy of a layer behind all others, named "NAME copy": the far leg of a pair. Its strokes are copied too, into a group
-/// of their own.
+/// of their own. The copy has no id.
 void duplicate_behind(Drawing& drawing, int layer);
 
 /// A maximal stretch of one kind, as points. A run that is a whole outline starts and ends at the same point.

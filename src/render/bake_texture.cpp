@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "geometry/rect.h"
 #include "render/draw_layer.h"
+#include "render/lay_picture.h"
 #include "render/layer_rims.h"
 #include "render/pack_shelves.h"
 #include "render/palette.h"
@@ -175,12 +176,10 @@ Texture bake_texture(Drawing const& drawing, RestModel const& model, BakeOptions
 Texture wear_picture(Picture picture, RestModel const& model) {
   Texture texture;
   texture.picture = std::move(picture);
-  Vec2 const canvas = {std::max(model.width_px, 1.0), std::max(model.height_px, 1.0)};
-  Vec2 const pixels = {static_cast<double>(texture.picture.width),
-                       static_cast<double>(texture.picture.height)};
-  // As large as the canvas allows, in its middle.
-  auto const size = pixels * std::min(canvas.x / pixels.x, canvas.y / pixels.y);
-  auto const origin = (canvas - size) / 2;
+  auto const map =
+      lay_picture(texture.picture, std::max(model.width_px, 1.0), std::max(model.height_px, 1.0));
+  Vec2 const origin = {map.e, map.f};
+  Vec2 const size = {map.a * texture.picture.width, map.d * texture.picture.height};
   for (auto const& triangle : model.mesh.triangles) {
     auto& corners = texture.corners.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {

@@ -20,7 +20,8 @@ struct DrawDrawingOptions {
 DrawList draw_sketch(Sketch const& sketch);
 
 /// What simplify made, in the studio's look: shapes filled, ink as lines, closings dotted, help-line runs dashed,
-/// details thin in their own colours. Layers back to front.
+/// details thin in their own colours. Layers back to front; hidden ones are left out, and of one that has no outline yet the
+/// strokes are drawn.
 DrawList draw_drawing(Drawing const& drawing, DrawDrawingOptions const& options = {});
 
 }  // namespace inkflate

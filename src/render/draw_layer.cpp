@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "image/to_byte.h"
 #include "render/ink_line.h"
+#include "render/mean_pen.h"
 
 namespace inkflate {
 namespace {
@@ -21,37 +21,18 @@ Stroke const& stroke_at(Drawing const& drawing, int index) {
 constexpr double kWidestOnSurface = 2.8;
 constexpr double kThinnestShare = 0.28;
 
-/// Colour and width of the layer's outline strokes on average.
-StrokedPolyline mean_pen(Drawing const& drawing, Layer const& layer) {
-  double r = 0;
-  double g = 0;
-  double b = 0;
-  double width_px = 0;
-  double count = 0;
-  for (int const index : layer.strokes) {
-    auto const& stroke = stroke_at(drawing, index);
-    if (stroke.kind == StrokeKind::HelpLine) continue;
-    r += stroke.colour.r;
-    g += stroke.colour.g;
-    b += stroke.colour.b;
-    width_px += stroke.width_px;
-    count += 1;
-  }
-  if (count == 0) return {{}, {0}, {}, {}};
-  return {{},
-          {kCleanWidthFactor * width_px / count},
-          {},
-          {to_byte(r / count), to_byte(g / count), to_byte(b / count)}};
-}
-
 }  // namespace
 
 DrawList draw_clean_rims(Drawing const& drawing, Layer const& layer,
                          std::vector<RimLine> const& rims) {
-  auto line = mean_pen(drawing, layer);
+  std::vector<Stroke const*> strokes;
+  for (int const index : layer.strokes) strokes.push_back(&stroke_at(drawing, index));
+  auto const pen = mean_pen(strokes);
   DrawList list;
-  if (line.widths_px[0] <= 0) return list;
-  double const width_px = line.widths_px[0];
+  if (!pen || pen->width_px <= 0) return list;
+  double const width_px = kCleanWidthFactor * pen->width_px;
+  StrokedPolyline line;
+  line.colour = pen->colour;
   for (auto const& rim : rims) {
     line.points = rim.points;
     line.widths_px.clear();

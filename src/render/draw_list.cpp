@@ -26,6 +26,8 @@ DrawList place(DrawList list, Affine const& map) {
     } else if (auto* const dots = std::get_if<Dots>(&item)) {
       move_points(dots->centres, map);
       dots->diameter_px *= factor;
+    } else if (auto* const drawn = std::get_if<DrawnPicture>(&item)) {
+      drawn->map = map * drawn->map;
     }
   }
   return list;

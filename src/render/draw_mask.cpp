@@ -47,6 +47,7 @@ void fill_row(std::vector<double>& crossings, int y, Mask& mask) {
 Mask draw_mask(Drawing const& drawing) {
   Mask mask(canvas_side(drawing.sketch.width_px), canvas_side(drawing.sketch.height_px));
   for (auto const& layer : drawing.layers) {
+    if (!is_shown(layer)) continue;
     std::vector<std::vector<double>> rows(static_cast<std::size_t>(mask.height));
     for (auto const& outline : layer.outlines) {
       add_crossings(flatten(outline, kFlattenTolerancePx), rows);

@@ -6,7 +6,7 @@
 
 namespace inkflate {
 
-/// The silhouette: 255 where the centre of a pixel lies inside a layer, by even-odd over its outlines (so holes are
+/// The silhouette: 255 where the centre of a pixel lies inside a layer that is shown, by even-odd over its outlines (so holes are
 /// outside), else 0. As large as the canvas, rounded up to whole pixels, at most 16384 each way.
 Mask draw_mask(Drawing const& drawing);
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "render/line_pattern.h"
+#include "render/palette.h"
+
 namespace inkflate {
 namespace {
 
@@ -14,10 +17,21 @@ constexpr double kLightestPress = 0.4;
 StrokedPolyline ink_line(Stroke const& stroke) {
   StrokedPolyline line;
   line.colour = stroke.colour;
+  line.points.reserve(stroke.samples.size());
+  line.widths_px.reserve(stroke.samples.size());
   for (auto const& sample : stroke.samples) {
     double const press = std::clamp(sample.pressure, 0.0, 1.0);
     line.points.push_back(sample.position);
     line.widths_px.push_back(stroke.width_px * (kLightestPress + (1 - kLightestPress) * press));
+  }
+  return line;
+}
+
+StrokedPolyline shown_line(Stroke const& stroke) {
+  auto line = ink_line(stroke);
+  if (stroke.kind == StrokeKind::HelpLine) {
+    line.colour = palette::kHelpLine;
+    line.dashes_px = dashed(std::max(stroke.width_px, 1.0));
   }
   return line;
 }

@@ -9,4 +9,7 @@ namespace inkflate {
 /// A stroke as the pen drew it: its colour, and its width, thinner where the pen pressed less.
 StrokedPolyline ink_line(Stroke const& stroke);
 
+/// The same, but a help line is dashed and has the colour of help lines.
+StrokedPolyline shown_line(Stroke const& stroke);
+
 }  // namespace inkflate

@@ -8,6 +8,7 @@
 #include "image/to_byte.h"
 #include "render/dash.h"
 #include "render/fill_coverage.h"
+#include "render/picture_sampler.h"
 #include "render/stroke_coverage.h"
 
 namespace inkflate {
@@ -28,6 +29,22 @@ void blend(Colour& below, Colour colour, double share) {
   };
   below = {mix(colour.r, below.r), mix(colour.g, below.g), mix(colour.b, below.b),
            to_byte(255 * sum)};
+}
+
+/// Dashes keep their proportions where the line gets another width.
+StrokedPolyline within_limits(StrokedPolyline line) {
+  double widest_px = 0;
+  double widest_within_px = 0;
+  for (double& width_px : line.widths_px) {
+    double const within_px =
+        std::max(std::min(width_px, line.limits.most_px), line.limits.least_px);
+    widest_px = std::max(widest_px, width_px);
+    widest_within_px = std::max(widest_within_px, within_px);
+    width_px = within_px;
+  }
+  double const factor = widest_px > 0 ? widest_within_px / widest_px : 1;
+  for (double& dash_px : line.dashes_px) dash_px *= factor;
+  return line;
 }
 
 class Rasteriser {
@@ -52,7 +69,7 @@ class Rasteriser {
   void operator()(StrokedPolyline const& line) {
     CHECK(line.widths_px.size() == 1 || line.widths_px.size() == line.points.size(),
           "a line has one width or one for each point");
-    for (auto const& piece : dashes(line)) add_line(piece);
+    for (auto const& piece : dashes(within_limits(line))) add_line(piece);
     flush(line.colour);
   }
 
@@ -61,6 +78,33 @@ class Rasteriser {
       add_segment(centre, dots.diameter_px, centre, dots.diameter_px);
     }
     flush(dots.colour);
+  }
+
+  void operator()(DrawnPicture const& drawn) {
+    double const determinant = drawn.map.determinant();
+    if (!drawn.picture || drawn.picture->values.empty() || !std::isnormal(determinant)) return;
+    auto const& map = drawn.map;
+    Affine const inverse = Affine{map.d / determinant,
+                                  -map.b / determinant,
+                                  -map.c / determinant,
+                                  map.a / determinant,
+                                  0,
+                                  0} *
+                           Affine::translation({-map.e, -map.f});
+    double const width = drawn.picture->width;
+    double const height = drawn.picture->height;
+    Rect area;
+    for (Vec2 const corner : {Vec2{0, 0}, Vec2{width, 0}, Vec2{0, height}, Vec2{width, height}}) {
+      area.include(map(corner));
+    }
+    PictureSampler const sampler(*drawn.picture, inverse.mean_scale());
+    int const end_x = clamped(area.max.x + 1, box_.left, box_.width);
+    int const end_y = clamped(area.max.y + 1, box_.top, box_.height);
+    for (int y = clamped(area.min.y, box_.top, box_.height); y < end_y; ++y) {
+      for (int x = clamped(area.min.x, box_.left, box_.width); x < end_x; ++x) {
+        blend(picture_.at(x, y), sampler(inverse({x + 0.5, y + 0.5})), drawn.opacity);
+      }
+    }
   }
 
  private:

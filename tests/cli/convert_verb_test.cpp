@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
+#include "io/write_inkflate.h"
 
 namespace inkflate {
 namespace {
@@ -122,6 +123,22 @@ TEST_F(ConvertVerb, InfoTellsInLinesOrJson) {
   EXPECT_EQ(run({"info", "none.svg"}).status, 4);
   folder_.write("junk", "neither fish nor fowl");
   EXPECT_EQ(run({"info", "junk"}).status, 3);
+}
+
+TEST_F(ConvertVerb, InfoTellsStatesOfLayersAndMotion) {
+  Project project;
+  project.drawing.sketch = {300, 200, {}, {Stroke{{{{1, 2}}}, StrokeKind::Ink, 2, {}}}};
+  project.drawing.layers = {{"arm", {}, {}, {}}};
+  auto& layer = project.drawing.layers[0];
+  layer.noise = {0};
+  layer.is_hidden = layer.is_locked = layer.is_open = true;
+  project.pins = {{PinId{1}, LayerId{1}, Side::Front, {1, 1}, {2, 2}}};
+  project.clip = {2.5, {{PinId{1}, {{0, {2, 2}}}}}};
+  auto const bytes = write_inkflate(project);
+  folder_.write("a.inkflate", {reinterpret_cast<char const*>(bytes->data()), bytes->size()});
+  auto const told = run({"info", "a.inkflate"});
+  EXPECT_NE(told.out.find("1 noise stroke, hidden, locked, being drawn\n"), std::string::npos);
+  EXPECT_NE(told.out.find("  1 pin\n  clip of 2.5 s, 1 track\n"), std::string::npos) << told.out;
 }
 
 TEST_F(ConvertVerb, HostileNamesSteerNoTerminal) {

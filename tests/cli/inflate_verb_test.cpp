@@ -122,5 +122,34 @@ TEST_F(InflateVerb, ADrawingWithoutAShapeIsRefused) {
   EXPECT_NE(done.out.find("nothing_there"), std::string::npos);
 }
 
+TEST_F(InflateVerb, HiddenLayersAreKeptButNotInflated) {
+  EXPECT_EQ(run({"simplify", "--parts", "groups", "figure.svg", "-o", "a.svg"}).status, 0);
+  auto text = folder_.read("a.svg");
+  std::string const arm = "inkflate:name=\"arm\"";
+  ASSERT_NE(text.find(arm), text.npos);
+  text.insert(text.find(arm), "inkflate:hidden=\"yes\" ");
+  folder_.write("hidden.svg", text);
+  EXPECT_EQ(report({"inflate", "hidden.svg", "--json"})["layers"], 1);
+  EXPECT_EQ(report({"inflate", "hidden.svg", "-o", "b.inkflate", "--json"})["layers"], 1);
+  auto const kept = report({"info", "b.inkflate", "--json"});
+  ASSERT_EQ(kept["layers"].size(), 2U);
+  EXPECT_EQ(kept["layers"][1]["hidden"], true);
+  EXPECT_EQ(run({"render", "b.inkflate", "-o", "b.png", "--size", "64"}).status, 0);
+  EXPECT_EQ(run({"inflate", "b.inkflate", "-o", "b.3mf"}).status, 0);
+  auto const again = run({"simplify", "--json", "b.inkflate"});
+  EXPECT_NE(again.err.find("hidden"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(again.out)["strokes"], 1);
+}
+
+TEST_F(InflateVerb, WhereAllIsHiddenThereIsNothing) {
+  EXPECT_EQ(run({"simplify", "figure.svg", "-o", "a.svg"}).status, 0);
+  auto text = folder_.read("a.svg");
+  text.insert(text.find("inkflate:name="), "inkflate:hidden=\"yes\" ");
+  folder_.write("a.svg", text);
+  auto const done = run({"inflate", "a.svg", "-o", "a.glb", "--json"});
+  EXPECT_EQ(done.status, 3);
+  EXPECT_EQ(nlohmann::json::parse(done.out)["error"]["code"], "nothing_there");
+}
+
 }  // namespace
 }  // namespace inkflate

@@ -14,28 +14,31 @@ TEST(Format, IsToldByContent) {
     std::string_view bytes;
     FileFormat format;
   };
-  for (auto const& [bytes, format] : {Case{"<svg/>", FileFormat::Svg},
-                                      Case{"\xef\xbb\xbf <?xml?><!-- --><s:svg>", FileFormat::Svg},
-                                      Case{{"\xff\xfe<\0s\0v\0g\0", 10}, FileFormat::Svg},
-                                      Case{"<html></html>", FileFormat::Unknown},
-                                      Case{"#593 394\n@1", FileFormat::Scap},
-                                      Case{"#\t593\t394", FileFormat::Scap},
-                                      Case{"{\n#1 0", FileFormat::Scap},
-                                      Case{"# a comment", FileFormat::Unknown},
-                                      Case{"{\"document\": 1}", FileFormat::Unknown},
-                                      Case{"\x89PNG\r\n\x1a\n....", FileFormat::Png},
-                                      Case{"\xff\xd8\xff\xe0", FileFormat::Jpeg},
-                                      Case{"PK\x03\x04....", FileFormat::Zip},
-                                      Case{"PK\x05\x06", FileFormat::Zip},
-                                      Case{"glTF\2", FileFormat::Glb},
-                                      Case{"solid cube\n", FileFormat::Stl},
-                                      Case{"# made by\n\nmtllib a.mtl\nv 0 0 0", FileFormat::Obj},
-                                      Case{"very much text", FileFormat::Unknown},
-                                      Case{"v\n", FileFormat::Unknown},
-                                      Case{"", FileFormat::Unknown},
-                                      Case{"#", FileFormat::Unknown},
-                                      Case{"\xff\xfe", FileFormat::Unknown},
-                                      Case{"\x89PNG", FileFormat::Unknown}}) {
+  for (auto const& [bytes, format] :
+       {Case{"<svg/>", FileFormat::Svg},
+        Case{"\xef\xbb\xbf <?xml?><!-- --><s:svg>", FileFormat::Svg},
+        Case{{"\xff\xfe<\0s\0v\0g\0", 10}, FileFormat::Svg},
+        Case{"<html></html>", FileFormat::Unknown},
+        Case{"#593 394\n@1", FileFormat::Scap},
+        Case{"#\t593\t394", FileFormat::Scap},
+        Case{"{\n#1 0", FileFormat::Scap},
+        Case{"# a comment", FileFormat::Unknown},
+        Case{"{\"document\": 1}", FileFormat::Unknown},
+        Case{"\x89PNG\r\n\x1a\n....", FileFormat::Png},
+        Case{"\xff\xd8\xff\xe0", FileFormat::Jpeg},
+        Case{"PK\x03\x04....", FileFormat::Zip},
+        Case{"PK\x05\x06", FileFormat::Zip},
+        Case{"glTF\2", FileFormat::Glb},
+        Case{"................ {\"format\":\"inkflate journal\"}", FileFormat::Journal},
+        Case{"................ {}", FileFormat::Unknown},
+        Case{"solid cube\n", FileFormat::Stl},
+        Case{"# made by\n\nmtllib a.mtl\nv 0 0 0", FileFormat::Obj},
+        Case{"very much text", FileFormat::Unknown},
+        Case{"v\n", FileFormat::Unknown},
+        Case{"", FileFormat::Unknown},
+        Case{"#", FileFormat::Unknown},
+        Case{"\xff\xfe", FileFormat::Unknown},
+        Case{"\x89PNG", FileFormat::Unknown}}) {
     EXPECT_EQ(sniff_format(as_bytes(bytes)), format) << bytes;
   }
 }

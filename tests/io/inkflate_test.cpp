@@ -24,11 +24,27 @@ Picture random_picture(Rng& rng) {
   return picture;
 }
 
+void add_random_motion(Rng& rng, Project& project) {
+  for (int i = rng.below(3); i > 0; --i) {
+    PinId const id{2 * i};
+    project.pins.push_back({id, LayerId{rng.below(9)}, static_cast<Side>(rng.below(2)),
+                            Vec2{rng.uniform(-99, 99), 2}, Vec2{rng.uniform(-1e6, 1e6), 1e6}});
+    Track track = {id, {}, rng.uniform(-1, 1) * rng.below(2)};
+    for (int k = rng.below(4); k > 0; --k) {
+      track.keys.push_back({3.5 - k + rng.uniform(0, 0.9), {rng.uniform(), 0}});
+    }
+    project.clip.tracks.push_back(std::move(track));
+    project.clip.length_s = 4;
+  }
+  project.next_id = 1 + rng.below(9);
+}
+
 TEST(Inkflate, ReadingGivesBackEveryProjectExactly) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Rng rng(seed);
     Project project = {test::random_drawing(rng)};
     if (rng.below(2) == 0) project.template_picture = random_picture(rng);
+    add_random_motion(rng, project);
     auto const file = write_inkflate(project);
     ASSERT_TRUE(file.has_value());
     auto const again = read_inkflate(*file);
@@ -73,7 +89,8 @@ constexpr char const* kDocument = R"({
 TEST(Inkflate, DocumentsAreReadAsTheyAreSpecified) {
   auto const document = read_document_json(kDocument);
   ASSERT_TRUE(document.has_value()) << document.error().message;
-  auto const& [sketch, layers, stray] = document->drawing;
+  auto const& sketch = document->project.drawing.sketch;
+  auto const& layers = document->project.drawing.layers;
   EXPECT_EQ(sketch.width_px, 300);
   EXPECT_EQ(sketch.groups, (std::vector<StrokeGroup>{{"leg", Colour{1, 2, 3, 4}, 3}}));
   ASSERT_EQ(sketch.strokes.size(), 1U);
@@ -91,7 +108,88 @@ TEST(Inkflate, DocumentsAreReadAsTheyAreSpecified) {
 TEST(Inkflate, FilesOfEveryVersionAreRead) {
   auto const project = read_inkflate(as_bytes(test_data("inkflate/version_1.inkflate")));
   ASSERT_TRUE(project.has_value()) << project.error().message;
-  EXPECT_EQ(project->drawing, read_document_json(kDocument)->drawing);
+  EXPECT_EQ(project->drawing, read_document_json(kDocument)->project.drawing);
+}
+
+// What later programs of this version wrote beside it.
+constexpr char const* kGrownDocument = R"({
+  "format": "inkflate", "version": 1, "canvas": {"width": 300, "height": 200},
+  "strokes": [{"kind": "ink", "width": 2, "colour": "#000000ff", "depth": "far",
+    "positions": [1, 2]}],
+  "layers": [{"name": "a", "id": 3, "hidden": true, "locked": true, "open": true,
+    "choice": {"gap": 7, "outside": [1, 2]}, "noise": [0]}],
+  "choice": {"inside": [5, 6, 7, 8]},
+  "pins": [{"id": 4, "layer": 3, "side": "back", "rest": [9, 8], "position": [7, 6]}],
+  "clip": {"length": 2, "tracks": [
+    {"pin": 4, "phase": -0.5, "times": [0, 1.5], "positions": [1, 2, 3, 4]}]},
+  "next_id": 5})";
+
+TEST(Inkflate, AllOfAProjectIsReadAsItIsSpecified) {
+  auto const document = read_document_json(kGrownDocument);
+  ASSERT_TRUE(document.has_value()) << document.error().message;
+  auto const& project = document->project;
+  EXPECT_EQ(project.drawing.sketch.strokes.at(0).depth, StrokeDepth::Far);
+  Layer layer = {"a", {}, {}, {}};
+  layer.id = LayerId{3};
+  layer.is_hidden = layer.is_locked = layer.is_open = true;
+  layer.choice = {7, {{1, 2}}, {}};
+  layer.noise = {0};
+  EXPECT_EQ(project.drawing.layers, std::vector<Layer>{layer});
+  EXPECT_EQ(project.drawing.choice, (CloseChoice{{}, {}, {{5, 6}, {7, 8}}}));
+  EXPECT_EQ(project.pins, (std::vector<Pin>{{PinId{4}, LayerId{3}, Side::Back, {9, 8}, {7, 6}}}));
+  EXPECT_EQ(project.clip, (Clip{2, {{PinId{4}, {{0, {1, 2}}, {1.5, {3, 4}}}, -0.5}}}));
+  EXPECT_EQ(project.next_id, 5);
+}
+
+// Files without them stay the same to the last byte.
+TEST(Inkflate, LaterMembersAreWrittenOnlyWhereTheySaySomething) {
+  auto const project = read_document_json(kDocument)->project;
+  auto const text = write_document_json(project);
+  for (auto const* const name : {"depth", "id", "hidden", "locked", "open", "choice", "noise",
+                                 "pins", "clip", "next_id", "template"}) {
+    EXPECT_EQ(text.find('"' + std::string(name) + '"'), text.npos) << name;
+  }
+}
+
+TEST(Inkflate, DamageInLaterMembersIsRefused) {
+  struct Case {
+    std::string from;
+    std::string to;
+  };
+  for (auto const& [from, to] : {Case{"\"far\"", "\"away\""},
+                                 Case{"\"id\": 3", "\"id\": 0"},
+                                 Case{"\"id\": 3", "\"id\": 2147483648"},
+                                 Case{"\"hidden\": true", "\"hidden\": 1"},
+                                 Case{"\"locked\": true", "\"locked\": \"no\""},
+                                 Case{"\"open\": true", "\"open\": null"},
+                                 Case{"\"gap\": 7", "\"gap\": 0"},
+                                 Case{"\"gap\": 7", "\"gap\": 1e7"},
+                                 Case{"[1, 2]},", "[1]},"},
+                                 Case{"\"noise\": [0]", "\"noise\": [1]"},
+                                 Case{"{\"inside\": [5, 6, 7, 8]}", "[]"},
+                                 Case{"\"id\": 4", "\"id\": -4"},
+                                 Case{"\"layer\": 3", "\"layer\": []"},
+                                 Case{"\"back\"", "\"top\""},
+                                 Case{"[9, 8]", "[9, 8, 7]"},
+                                 Case{"[9, 8]", "[9, 1e999]"},
+                                 Case{"\"position\"", "\"place\""},
+                                 Case{"\"length\": 2", "\"length\": 1"},
+                                 Case{"\"length\": 2", "\"length\": -2"},
+                                 Case{"\"length\": 2", "\"size\": 2"},
+                                 Case{"[0, 1.5]", "[1.5, 1.5]"},
+                                 Case{"[0, 1.5]", "[0]"},
+                                 Case{"[0, 1.5]", "[-1, 1.5]"},
+                                 Case{"-0.5", "\"-\""},
+                                 Case{"\"next_id\": 5", "\"next_id\": 0"},
+                                 Case{"\"next_id\": 5", "\"next_id\": 1.5"}}) {
+    std::string damaged = kGrownDocument;
+    auto const at = damaged.find(from);
+    ASSERT_NE(at, damaged.npos) << from;
+    damaged.replace(at, from.size(), to);
+    auto const document = read_document_json(damaged);
+    ASSERT_FALSE(document.has_value()) << from << " -> " << to;
+    EXPECT_EQ(document.error().code, ErrorCode::BadInput) << document.error().message;
+  }
 }
 
 TEST(Inkflate, DamagedDocumentsAreRefused) {

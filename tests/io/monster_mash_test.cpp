@@ -98,7 +98,8 @@ TEST(ReadMonsterMash, AProjectByHand) {
        bytes_of("v. 230112\nmanipulationMode draw\nnew 1\ndefaultInflationAmount 3.5\n")});
   entries.push_back({"mm_project/template.png", write_png(Mask(1000, 800, 77))});
   auto const project = read_or_fail(raw_zip(entries));
-  auto const& [drawing, template_picture] = project;
+  auto const& drawing = project.drawing;
+  auto const& template_picture = project.template_picture;
   EXPECT_EQ(drawing.sketch.width_px, 1000);
   EXPECT_EQ(drawing.sketch.height_px, 800);
   ASSERT_EQ(drawing.layers.size(), 2U);
@@ -148,7 +149,8 @@ TEST(ReadMonsterMash, HolesAndOtherCanvasesAreRead) {
 
 TEST(ReadMonsterMash, RunsAreStrokesThatTheOutlineComesFrom) {
   auto const project = read_or_fail(raw_zip(entries_of({circle({300, 400}, 100, 280)}, "")));
-  auto const& [sketch, layers, stray] = project.drawing;
+  auto const& sketch = project.drawing.sketch;
+  auto const& layers = project.drawing.layers;
   ASSERT_EQ(sketch.strokes.size(), 2U);
   EXPECT_EQ(layers.at(0).strokes, (std::vector<int>{0, 1}));
   EXPECT_NE(sketch.strokes[0].kind, sketch.strokes[1].kind);
@@ -368,6 +370,26 @@ TEST(WriteMonsterMash, WhatItCannotHoldIsRefused) {
   auto const disc = drawn_layer("disc", ellipse_contour({500, 500}, 20, 20));
   auto const many = drawing_of(std::vector<Layer>(256, disc));
   EXPECT_EQ(write_monster_mash({many}).error().code, ErrorCode::TooLarge);
+}
+
+TEST(WriteMonsterMash, HiddenLayersAreKeptButNotInThePictures) {
+  Outline square;
+  Vec2 const corners[] = {{100, 100}, {300, 100}, {300, 300}, {100, 300}};
+  for (int i = 0; i < 4; ++i) {
+    square.pieces.push_back({line_cubic(corners[i], corners[(i + 1) % 4])});
+  }
+  Project project;
+  project.drawing.sketch.width_px = 1000;
+  project.drawing.sketch.height_px = 800;
+  project.drawing.layers = {
+      {"seen", {square}, {}, {}}, {"hidden", {square}, {}, {}}, {"open", {}, {}, {}}};
+  project.drawing.layers[1].is_hidden = true;
+  auto const archive = write_monster_mash(project);
+  ASSERT_TRUE(archive.has_value());
+  EXPECT_EQ(read_or_fail(*archive), project);
+  EXPECT_EQ(read_or_fail(without_document(*archive)).drawing.layers.size(), 1U);
+  project.drawing.layers[0].is_hidden = true;
+  EXPECT_EQ(write_monster_mash(project).error().code, ErrorCode::NothingThere);
 }
 
 }  // namespace

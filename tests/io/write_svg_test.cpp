@@ -117,5 +117,45 @@ TEST(WriteSvg, WhatOtherProgramsAddIsPassedOver) {
   EXPECT_EQ(*again, square());
 }
 
+TEST(WriteSvg, HiddenLayersAreNotDisplayed) {
+  auto drawing = square();
+  EXPECT_EQ(count(write_svg(drawing), "display:none"), 1);  // the rough strokes
+  drawing.layers[0].is_hidden = true;
+  EXPECT_EQ(count(write_svg(drawing), "display:none"), 2);
+}
+
+TEST(WriteSvg, ALayerWithoutOutlineShowsItsStrokes) {
+  auto drawing = square();
+  drawing.layers = {{"open", {}, {0}, {}}};
+  auto const text = write_svg(drawing);
+  EXPECT_EQ(count(text, "class=\"stroke\""), 1);
+  EXPECT_EQ(*read_svg(as_bytes(text)), drawing);
+}
+
+TEST(WriteSvg, DamagedStatesAreRefused) {
+  auto drawing = square();
+  drawing.sketch.strokes[0].depth = StrokeDepth::Far;
+  drawing.layers[0].id = LayerId{7};
+  drawing.layers[0].noise = {0};
+  drawing.layers[0].choice = {5, {{1, 2}}, {{3, 4}}};
+  auto const text = write_svg(drawing);
+  ASSERT_EQ(*read_svg(as_bytes(text)), drawing);
+  struct Case {
+    std::string from;
+    std::string to;
+  };
+  for (auto const& [from, to] :
+       {Case{":depth=\"far\"", ":depth=\"away\""}, Case{":id=\"7\"", ":id=\"-7\""},
+        Case{":id=\"7\"", ":id=\"7.5\""}, Case{":noise=\"0\"", ":noise=\"1\""},
+        Case{":gap=\"5\"", ":gap=\"0\""}, Case{":gap=\"5\"", ":gap=\"5px\""},
+        Case{":gap=\"5\"", ":gap=\"\""}, Case{":outside=\"1 2 \"", ":outside=\"1\""},
+        Case{":inside=\"3 4 \"", ":inside=\"3 4e7\""}}) {
+    auto damaged = text;
+    ASSERT_NE(damaged.find(from), damaged.npos) << from;
+    damaged.replace(damaged.find(from), from.size(), to);
+    EXPECT_EQ(read_svg(as_bytes(damaged)).error().code, ErrorCode::BadInput) << to;
+  }
+}
+
 }  // namespace
 }  // namespace inkflate

@@ -124,5 +124,56 @@ TEST(Drawing, ADuplicateLiesBehindWithStrokesOfItsOwn) {
   EXPECT_EQ(drawing.layers[2].strokes, std::vector{1});
 }
 
+/// A layer of each state, with a stroke of its own each: plain, hidden, without outline; and a stray stroke.
+Drawing drawing_of_states() {
+  Drawing drawing;
+  drawing.sketch.strokes.resize(4);
+  for (int i = 0; i < 4; ++i) drawing.sketch.strokes[i].width_px = i;
+  Outline const square = square_of(std::vector<RunKind>(4, RunKind::Ink));
+  drawing.layers = {
+      {"plain", {square}, {0}, {}}, {"hidden", {square}, {}, {1}}, {"open", {}, {2}, {}}};
+  drawing.layers[1].is_hidden = true;
+  drawing.layers[2].is_open = true;
+  drawing.stray = {3};
+  return drawing;
+}
+
+TEST(Shown, LayersAreThoseWithOutlinesThatAreNotHidden) {
+  auto const drawing = drawing_of_states();
+  auto const seen = shown(drawing);
+  EXPECT_EQ(seen.layers, std::vector<Layer>{drawing.layers[0]});
+  EXPECT_EQ(seen.sketch, drawing.sketch);
+  EXPECT_FALSE(is_shown({"empty", {Outline{}}, {}, {}}));
+}
+
+TEST(Shown, AnOpenLayerIsSeenAsItWas) {
+  auto drawing = drawing_of_states();
+  drawing.layers[0].is_open = true;
+  EXPECT_TRUE(is_shown(drawing.layers[0]));
+}
+
+TEST(Shown, StrokesAreAllButThoseOfHiddenLayers) {
+  auto const strokes = shown_sketch(drawing_of_states()).strokes;
+  ASSERT_EQ(strokes.size(), 3U);
+  EXPECT_EQ(strokes[0].width_px, 0);
+  EXPECT_EQ(strokes[1].width_px, 2);
+  EXPECT_EQ(strokes[2].width_px, 3);
+}
+
+TEST(DuplicateBehind, CopiesAllStrokesAndLeavesTheIdAlone) {
+  auto drawing = drawing_of_states();
+  auto& layer = drawing.layers[0];
+  layer.id = LayerId{5};
+  layer.noise = {2};
+  layer.outlines[0].sources = {{0, 1, 0, 0, 1}, {1, 2, -1, 0, 0}};
+  duplicate_behind(drawing, 0);
+  auto const& copy = drawing.layers[0];
+  EXPECT_EQ(copy.id, LayerId::None);
+  EXPECT_EQ(copy.strokes, std::vector<int>{4});
+  EXPECT_EQ(copy.noise, std::vector<int>{5});
+  EXPECT_EQ(copy.outlines[0].sources[0].stroke, 4);
+  EXPECT_EQ(copy.outlines[0].sources[1].stroke, -1);
+}
+
 }  // namespace
 }  // namespace inkflate

@@ -82,5 +82,24 @@ TEST(DrawSketch, HelpLinesAreDashedTeal) {
   EXPECT_EQ(picture.at(14, 10), palette::kPaper);
 }
 
+TEST(DrawDrawing, HiddenLayersAreLeftOut) {
+  auto drawing = holed_square();
+  drawing.sketch.strokes = {Stroke{{{{5, 5}}, {{55, 5}}}, StrokeKind::Ink, 2, {}}};
+  drawing.layers[0].strokes = drawing.layers[0].details = {0};
+  drawing.layers[0].is_hidden = true;
+  EXPECT_TRUE(draw_drawing(drawing, {.rough_strokes = RoughStrokes::Faint}).empty());
+  EXPECT_EQ(draw_mask(drawing), Mask(60, 60));
+}
+
+TEST(DrawDrawing, ALayerWithoutOutlineIsSeenByItsStrokes) {
+  auto drawing = holed_square();
+  drawing.sketch.strokes = {Stroke{{{{5, 5}}, {{55, 5}}}, StrokeKind::Ink, 2, {}}};
+  drawing.layers = {{"open", {}, {0}, {}}};
+  auto const list = draw_drawing(drawing);
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<StrokedPolyline>(list[0]));
+  EXPECT_EQ(draw_mask(drawing), Mask(60, 60));
+}
+
 }  // namespace
 }  // namespace inkflate

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/random_drawing.h"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -56,6 +57,7 @@ Stroke random_stroke(Rng& rng, int group_count) {
   stroke.width_px = rng.uniform(0, 9);
   stroke.colour = random_colour(rng);
   stroke.group = rng.below(group_count + 1) - 1;
+  if (rng.below(4) == 0) stroke.depth = StrokeDepth::Far;
   return stroke;
 }
 
@@ -78,6 +80,25 @@ Outline random_outline(Rng& rng, int stroke_count) {
   return outline;
 }
 
+std::vector<Vec2> random_points(Rng& rng) {
+  std::vector<Vec2> points(static_cast<std::size_t>(rng.below(3)));
+  for (auto& point : points) point = random_point(rng);
+  return points;
+}
+
+CloseChoice random_choice(Rng& rng) {
+  if (rng.below(2) == 0) return {};
+  return {rng.uniform(0.01, 99), random_points(rng), random_points(rng)};
+}
+
+void randomise_state(Rng& rng, Layer& layer) {
+  layer.choice = random_choice(rng);
+  if (rng.below(2) == 0) layer.id = LayerId{1 + rng.below(99)};
+  layer.is_hidden = rng.below(4) == 0;
+  layer.is_locked = rng.below(4) == 0;
+  layer.is_open = rng.below(4) == 0;
+}
+
 }  // namespace
 
 Drawing random_drawing(Rng& rng) {
@@ -97,19 +118,22 @@ Drawing random_drawing(Rng& rng) {
     layer.name = random_name(rng);
     if (rng.below(2) == 0) layer.fill = random_colour(rng);
     if (rng.below(2) == 0) layer.thickness = rng.uniform(0.1, 32);
+    randomise_state(rng, layer);
     for (int i = rng.below(4); i > 0; --i)
       layer.outlines.push_back(random_outline(rng, stroke_count));
   }
   for (int i = 0; i < stroke_count; ++i) {
     sketch.strokes.push_back(random_stroke(rng, group_count));
-    int const place = rng.below(1 + 2 * static_cast<int>(drawing.layers.size()));
+    int const place = rng.below(1 + 3 * static_cast<int>(drawing.layers.size()));
     if (place == 0) {
       drawing.stray.push_back(i);
     } else {
-      auto& layer = drawing.layers[static_cast<std::size_t>((place - 1) / 2)];
-      (place % 2 == 0 ? layer.details : layer.strokes).push_back(i);
+      auto& layer = drawing.layers[static_cast<std::size_t>((place - 1) / 3)];
+      std::array const lists = {&layer.strokes, &layer.details, &layer.noise};
+      lists[static_cast<std::size_t>(place % 3)]->push_back(i);
     }
   }
+  drawing.choice = random_choice(rng);
   return drawing;
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "cli/read_document.h"
+#include "io/read_document.h"
 #include "pipeline/run_inflate.h"
 
 namespace {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/read_document.h"
+#include "io/read_document.h"
 
 #include <utility>
 
+#include "io/journal.h"
 #include "io/read_inkflate.h"
 #include "io/read_monster_mash.h"
 #include "io/read_picture.h"
 #include "io/read_scap.h"
 #include "io/read_svg.h"
 
-namespace inkflate::cli {
+namespace inkflate {
 namespace {
 
 std::string sentence(SvgWarning const& warning) {
@@ -39,6 +40,16 @@ Result<ReadDocument> from(Result<Project> read, FileFormat format) {
   return ReadDocument{format, std::move(*read), {}};
 }
 
+Result<ReadDocument> from(Result<ReadJournal> read) {
+  if (!read) return read.error();
+  ReadDocument document = {FileFormat::Journal, to_project(read->history.document()), {}};
+  if (read->is_damaged) {
+    document.warnings.push_back("left out all that follows a damaged line, at byte " +
+                                std::to_string(read->bytes));
+  }
+  return document;
+}
+
 }  // namespace
 
 Result<ReadDocument> read_document(std::span<std::byte const> content) {
@@ -55,6 +66,8 @@ Result<ReadDocument> read_document(std::span<std::byte const> content) {
       return from(read_inkflate(content), format);
     case FileFormat::MonsterMash:
       return from(read_monster_mash(content), format);
+    case FileFormat::Journal:
+      return from(read_journal(content));
     case FileFormat::Zip:
       return Error{ErrorCode::Unsupported,
                    "a zip archive that is neither an Inkflate nor a Monster Mash project"};
@@ -67,16 +80,12 @@ Result<ReadDocument> read_document(std::span<std::byte const> content) {
     case FileFormat::Unknown:
       break;
   }
-  return Error{ErrorCode::Unsupported,
-               "not a format we know; drawings are read from SVG, SCAP, PNG, JPEG, .inkflate and "
-               "Monster Mash projects"};
+  return Error{
+      ErrorCode::Unsupported,
+      "not a format we know; drawings are read from SVG, SCAP, PNG, JPEG, .inkflate, Monster "
+      "Mash projects and journals"};
 }
 
 bool has_layers(ReadDocument const& document) { return !document.project.drawing.layers.empty(); }
 
-SketchSource sketch_source(ReadDocument const& document) {
-  if (document.scan) return *document.scan;
-  return document.project.drawing.sketch;
-}
-
-}  // namespace inkflate::cli
+}  // namespace inkflate

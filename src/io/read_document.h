@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/result.h"
+#include "image/grid2.h"
 #include "io/format.h"
 #include "model/project.h"
-#include "pipeline/run_simplify.h"
 
-namespace inkflate::cli {
+namespace inkflate {
 
 /// What a file holds that can be drawn or inflated, whatever its format.
 struct ReadDocument {
@@ -22,8 +22,8 @@ struct ReadDocument {
   std::vector<std::string> warnings = {};  // what of the file was left out
 };
 
-/// Reads strokes (SVG, .scap), a scan (PNG, JPEG) or a project (SVG by write_svg, .inkflate, Monster Mash), by what the bytes are,
-/// not by a name.
+/// Reads strokes (SVG, .scap), a scan (PNG, JPEG) or a project (SVG by write_svg, .inkflate, Monster Mash, the
+/// last document of a journal), by what the bytes are, not by a name.
 ///
 /// errors  those of the readers; Unsupported (another format)
 Result<ReadDocument> read_document(std::span<std::byte const> content);
@@ -31,7 +31,4 @@ Result<ReadDocument> read_document(std::span<std::byte const> content);
 /// Whether there are contours already, so that nothing has to be simplified.
 bool has_layers(ReadDocument const& document);
 
-/// What simplify starts from.
-SketchSource sketch_source(ReadDocument const& document);
-
-}  // namespace inkflate::cli
+}  // namespace inkflate

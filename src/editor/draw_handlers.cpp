@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+
+#include "editor/action_handlers.h"
+#include "editor/pick.h"
+
+namespace inkflate {
+namespace {
+
+/// A click this near to a mark takes the mark away, screen px.
+constexpr double kMarkReachPx = 10;
+
+void say_faults(Turn& turn, std::vector<ClosingFault> const& faults) {
+  for (auto const& fault : faults) {
+    Rect place;
+    place.include(fault.place);
+    say(turn, Severity::Problem, Word::NotClosed, {fault.error.message}, place);
+  }
+}
+
+void say_closed(Turn& turn, int closings) {
+  if (closings == 0) return say(turn, Severity::Status, Word::ClosedNoGap);
+  say(turn, Severity::Status, Word::ClosedGaps, {std::to_string(closings)});
+}
+
+/// Layers that are being drawn again.
+std::vector<LayerId> open_layers(Document const& document) {
+  std::vector<LayerId> result;
+  for (auto const& layer : *document.layers) {
+    if (layer->layer.is_open) result.push_back(layer->layer.id);
+  }
+  return result;
+}
+
+CloseChoice const& choice_of(Document const& document, LayerId layer) {
+  auto const* const found = find_layer(document, layer);
+  return found == nullptr ? *document.choice : found->layer.choice;
+}
+
+/// Gives closed layers another choice and closes them anew.
+bool close_again(Turn& turn, std::vector<LayerId> const& layers, std::string_view action,
+                 CloseChoice (*change)(CloseChoice, Turn const&), bool is_slider) {
+  std::vector<Command> commands;
+  for (auto const id : layers) {
+    auto const& document = turn.state.history.document();
+    auto closed =
+        close_layer_again(document, id, change(choice_of(document, id), turn), turn.progress);
+    if (!closed) {
+      say(turn, closed.error());
+      return false;
+    }
+    commands.emplace_back(OpenLayer{id});
+    commands.emplace_back(std::move(*closed));
+  }
+  return is_slider ? commit_again(turn, std::move(commands), action)
+                   : commit(turn, std::move(commands), action);
+}
+
+/// "auto", or the largest gap in px.
+bool is_gap(std::string const& argument) {
+  return argument == "auto" || number_of(argument).value_or(0) > 0;
+}
+
+CloseChoice with_gap(CloseChoice choice, Turn const& turn) {
+  choice.gap_px = number_of(turn.argument);
+  return choice;
+}
+
+/// Of what is rough; of the selection when nothing is.
+void gap(Turn& turn) {
+  if (!is_gap(turn.argument)) return refuse_argument(turn);
+  auto const& document = turn.state.history.document();
+  auto const& selection = turn.state.view.selection;
+  auto targets = open_layers(document);
+  if (targets.empty() && document.loose.is_empty() && !selection.empty()) {
+    close_again(turn, selection, "gap", with_gap, true);
+    return;
+  }
+  targets.push_back(LayerId::None);
+  std::vector<Command> commands;
+  for (auto const id : targets) {
+    commands.emplace_back(SetChoice{id, with_gap(choice_of(document, id), turn)});
+  }
+  commit_again(turn, std::move(commands), "gap");
+}
+
+/// Puts a mark there, or takes away the one that is.
+void toggle_mark(std::vector<Vec2>& marks, Vec2 place, double reach_px) {
+  auto const is_near = [&](Vec2 mark) { return distance(mark, place) <= reach_px; };
+  auto const found = std::find_if(marks.begin(), marks.end(), is_near);
+  if (found != marks.end()) {
+    marks.erase(found);
+  } else {
+    marks.push_back(place);
+  }
+}
+
+CloseChoice with_mark(CloseChoice choice, Turn const& turn, std::vector<Vec2> CloseChoice::*marks) {
+  auto const place = place_of(turn.argument);
+  toggle_mark(choice.*marks, *place, kMarkReachPx / turn.state.view.camera.zoom);
+  return choice;
+}
+CloseChoice with_outside(CloseChoice choice, Turn const& turn) {
+  return with_mark(std::move(choice), turn, &CloseChoice::outside);
+}
+CloseChoice with_inside(CloseChoice choice, Turn const& turn) {
+  return with_mark(std::move(choice), turn, &CloseChoice::inside);
+}
+
+/// Whose shape a mark at a place means: the nearest closed layer around it, also around a hole or bay of its.
+LayerId marked_layer(Document const& document, Vec2 place) {
+  auto const& layers = *document.layers;
+  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+    auto const& data = (*layer)->layer;
+    if (data.is_hidden || data.is_locked || data.is_open) continue;
+    auto const box = layer_box(**layer);
+    bool const is_in = place.x >= box.min.x && place.x <= box.max.x && place.y >= box.min.y &&
+                       place.y <= box.max.y;
+    if (is_in) return data.id;
+  }
+  return LayerId::None;
+}
+
+/// Loose strokes and open layers come first: they are what one works on.
+void mark(Turn& turn, std::string_view action, CloseChoice (*change)(CloseChoice, Turn const&)) {
+  auto const place = place_of(turn.argument);
+  if (!place) return refuse_argument(turn);
+  auto const& document = turn.state.history.document();
+  auto const open = open_layers(document);
+  if (!document.loose.is_empty() || !open.empty()) {
+    auto const target = open.empty() ? LayerId::None : open.back();
+    commit(turn, std::vector<Command>{SetChoice{target, change(choice_of(document, target), turn)}},
+           action);
+    return;
+  }
+  auto const layer = marked_layer(document, *place);
+  if (layer == LayerId::None) return say(turn, Severity::Warning, Word::NothingRough);
+  close_again(turn, {layer}, action, change, false);
+}
+
+void for_each_selected(Turn& turn, std::string_view action, Command (*command)(LayerId)) {
+  auto const& selection = turn.state.view.selection;
+  if (selection.empty()) return say(turn, Severity::Warning, Word::NothingSelected);
+  std::vector<Command> commands;
+  for (auto const id : selection) commands.push_back(command(id));
+  commit(turn, std::move(commands), action);
+}
+
+bool is_rough(EditorState const& state) { return has_rough_strokes(state.history.document()); }
+
+constexpr std::array kHandlers = {
+    ActionHandler{"simplify", simplify_document, is_rough},
+    ActionHandler{"gap", gap,
+                  [](EditorState const& state) { return is_rough(state) || has_selection(state); }},
+    ActionHandler{"mark_outside", [](Turn& turn) { mark(turn, "mark_outside", with_outside); },
+                  always},
+    ActionHandler{"mark_inside", [](Turn& turn) { mark(turn, "mark_inside", with_inside); },
+                  always},
+    ActionHandler{"open_part",
+                  [](Turn& turn) {
+                    for_each_selected(turn, "open_part",
+                                      [](LayerId id) { return Command(OpenLayer{id}); });
+                  },
+                  has_selection},
+    ActionHandler{"redraw_part",
+                  [](Turn& turn) {
+                    for_each_selected(turn, "redraw_part",
+                                      [](LayerId id) { return Command(RedrawLayer{id}); });
+                  },
+                  has_selection},
+    ActionHandler{"close_part",
+                  [](Turn& turn) {
+                    for_each_selected(turn, "close_part",
+                                      [](LayerId id) { return Command(CloseLayer{id}); });
+                  },
+                  has_selection},
+};
+
+}  // namespace
+
+std::span<ActionHandler const> draw_handlers() { return kHandlers; }
+
+void simplify_document(Turn& turn) {
+  auto closed = close_document(turn.state.history.document(), turn.progress);
+  if (!closed) {
+    if (closed.error().code != ErrorCode::NothingThere) return say(turn, closed.error());
+    return say(turn, Severity::Warning, Word::NothingRough);
+  }
+  if (closed->command) {
+    bool const is_done =
+        commit(turn, std::vector<Command>{std::move(*closed->command)}, "simplify");
+    if (is_done) say_closed(turn, closed->closings);
+  }
+  say_faults(turn, closed->faults);
+}
+
+}  // namespace inkflate

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+
+#include "editor/action_handlers.h"
+#include "editor/layer_commands.h"
+#include "io/numbers.h"
+
+namespace inkflate {
+namespace {
+
+std::vector<std::string> name_of_action(int label, Language language) {
+  bool const is_known = label >= 0 && label < std::ssize(actions());
+  if (!is_known) return {""};
+  return {std::string(inkflate::label(actions()[static_cast<std::size_t>(label)], language))};
+}
+
+/// What is undone or redone is part of the drawing: there one sees it change.
+void show_drawing(Turn& turn) { turn.state.view.mode = Mode::Draw; }
+
+void undo(Turn& turn) {
+  int const label = turn.state.history.undo_label();
+  if (!undo_entry(turn)) return say(turn, Severity::Warning, Word::NothingToUndo);
+  show_drawing(turn);
+  say(turn, Severity::Status, Word::Undone, name_of_action(label, turn.state.language));
+}
+
+void redo(Turn& turn) {
+  int const label = turn.state.history.redo_label();
+  if (!redo_entry(turn)) return say(turn, Severity::Warning, Word::NothingToRedo);
+  show_drawing(turn);
+  say(turn, Severity::Status, Word::Redone, name_of_action(label, turn.state.language));
+}
+
+void delete_selected(Turn& turn) {
+  auto const& selection = turn.state.view.selection;
+  if (selection.empty()) return say(turn, Severity::Warning, Word::NothingSelected);
+  commit(turn, std::vector<Command>{DeleteLayers{selection}}, "delete");
+}
+
+void duplicate_selected(Turn& turn) {
+  auto& state = turn.state;
+  auto const& before = state.history.document();
+  auto const commands = duplicate(before, state.view.selection);
+  int const first_id = before.next_id;
+  if (!commit_if(turn, commands, "duplicate")) return;
+  // The copies are what one goes on with.
+  auto& selection = state.view.selection;
+  selection.clear();
+  for (int id = first_id; id < state.history.document().next_id; ++id) {
+    selection.push_back(static_cast<LayerId>(id));
+  }
+}
+
+/// The layer that the argument names, or the only one that is selected.
+LayerId named_layer(Turn const& turn) {
+  auto const& selection = turn.state.view.selection;
+  if (auto const id = number_of(turn.argument)) {
+    bool const is_id = *id >= 1 && *id < turn.state.history.document().next_id;
+    return is_id ? static_cast<LayerId>(static_cast<int>(*id)) : LayerId::None;
+  }
+  return selection.size() == 1 ? selection[0] : LayerId::None;
+}
+
+void duplicate_at(Turn& turn, OrderEnd end, std::string_view action) {
+  auto const layer = named_layer(turn);
+  if (layer == LayerId::None) return say(turn, Severity::Warning, Word::NothingSelected);
+  commit_if(turn, duplicate_or_remove(turn.state.history.document(), layer, end), action);
+}
+
+void select_all(Turn& turn) {
+  auto& view = turn.state.view;
+  view.selection.clear();
+  for (auto const& layer : *turn.state.history.document().layers) {
+    if (!layer->layer.is_hidden && !layer->layer.is_locked) {
+      view.selection.push_back(layer->layer.id);
+    }
+  }
+  std::sort(view.selection.begin(), view.selection.end());
+  turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
+}
+
+/// The argument lists ids: "1 3 4"; an empty one selects nothing.
+void select(Turn& turn) {
+  std::vector<LayerId> selection;
+  std::string_view rest = turn.argument;
+  for (skip_separator(rest, Separator::Comma); !rest.empty();
+       skip_separator(rest, Separator::Comma)) {
+    auto const id = take_index(rest);
+    if (!id) return refuse_argument(turn);
+    auto const layer = static_cast<LayerId>(*id);
+    if (find_layer(turn.state.history.document(), layer) != nullptr) selection.push_back(layer);
+  }
+  std::sort(selection.begin(), selection.end());
+  selection.erase(std::unique(selection.begin(), selection.end()), selection.end());
+  turn.state.view.selection = std::move(selection);
+  turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
+}
+
+/// A gesture is dropped by the engine before any action; then goes the selection, then the tool.
+void cancel(Turn& turn) {
+  auto& view = turn.state.view;
+  if (!view.selection.empty()) {
+    view.selection.clear();
+  } else {
+    view.tool = Tool::Brush;
+  }
+  turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
+}
+
+bool can_undo(EditorState const& state) { return state.history.can_undo(); }
+bool can_redo(EditorState const& state) { return state.history.can_redo(); }
+bool has_layers(EditorState const& state) { return !state.history.document().layers->empty(); }
+bool has_one_selected(EditorState const& state) { return state.view.selection.size() == 1; }
+
+constexpr std::array kHandlers = {
+    ActionHandler{"undo", undo, can_undo},
+    ActionHandler{"redo", redo, can_redo},
+    ActionHandler{"delete", delete_selected, has_selection},
+    ActionHandler{"duplicate", duplicate_selected, has_selection},
+    ActionHandler{"duplicate_behind",
+                  [](Turn& turn) { duplicate_at(turn, OrderEnd::Back, "duplicate_behind"); },
+                  has_one_selected},
+    ActionHandler{"duplicate_before",
+                  [](Turn& turn) { duplicate_at(turn, OrderEnd::Front, "duplicate_before"); },
+                  has_one_selected},
+    ActionHandler{"select_all", select_all, has_layers},
+    ActionHandler{"select", select, always},
+    ActionHandler{"cancel", cancel, always},
+};
+
+}  // namespace
+
+std::span<ActionHandler const> edit_handlers() { return kHandlers; }
+
+}  // namespace inkflate

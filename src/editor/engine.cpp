@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/engine.h"
+
+#include <cmath>
+#include <utility>
+
+#include "document/apply.h"
+#include "editor/action_handlers.h"
+#include "editor/editor_state.h"
+#include "editor/pick.h"
+#include "io/journal.h"
+
+namespace inkflate {
+namespace {
+
+constexpr double kLargestViewPx = 16384;
+
+/// Under which action the gestures of a tool are undone.
+std::string_view action_of(Tool tool) {
+  switch (tool) {
+    case Tool::Brush:
+      return "brush";
+    case Tool::HelpLine:
+      return "help_line";
+    case Tool::Eraser:
+      return "eraser";
+    case Tool::Mark:
+      return "mark";
+    case Tool::Select:
+      return "select_tool";
+    case Tool::Hand:
+      break;
+  }
+  return "hand";
+}
+
+/// Puts the commands of a step into the gesture. One that the document refuses leaves the gesture as it was.
+void change_gesture(Turn& turn, Step& step) {
+  auto& state = turn.state;
+  if (step.effect == GestureEffect::None) return;
+  bool const is_new = step.effect == GestureEffect::Replace || !state.gesture;
+  auto const& base = is_new ? state.history.document() : state.gesture->document;
+  auto next = inkflate::apply(base, step.commands);
+  turn.changes.is_scene_changed = true;
+  if (!next) {
+    if (step.is_end && next.error().code != ErrorCode::NothingThere) say(turn, next.error());
+    return;
+  }
+  if (is_new) {
+    state.gesture = Gesture{std::move(step.commands), std::move(*next)};
+    return;
+  }
+  state.gesture->document = std::move(*next);
+  for (auto& command : step.commands) state.gesture->commands.push_back(std::move(command));
+}
+
+void take_step(Turn& turn, Tool tool, Step step) {
+  auto& [state, changes, progress, argument] = turn;
+  state.tool = std::move(step.state);
+  state.gesture_tool = tool;
+  change_gesture(turn, step);
+  if (step.is_end) end_gesture(turn, action_of(tool));
+  if (step.selection && *step.selection != state.view.selection) {
+    state.view.selection = *step.selection;
+    changes.is_state_changed = changes.is_scene_changed = true;
+  }
+  if (step.hover && *step.hover != state.view.hover) {
+    state.view.hover = *step.hover;
+    changes.is_scene_changed = true;
+  }
+  if (step.camera) state.view.camera = *step.camera;
+  bool const is_seen = step.camera || !std::holds_alternative<ToolIdle>(state.tool) || step.is_end;
+  if (is_seen) changes.is_scene_changed = true;
+  if (!step.action.empty()) run_action(turn, step.action, step.argument);
+}
+
+/// A double click with the brush means the part under it, as long as nothing else is being drawn: the dot of the first click is taken back
+/// and the part gets its copy.
+bool take_double_click(Turn& turn, Tool tool, ToolEvent const& event) {
+  auto& state = turn.state;
+  auto const* const press = std::get_if<ToolPress>(&event);
+  bool const is_double = press != nullptr && press->clicks == 2 && tool == Tool::Brush;
+  auto const& document = state.history.document();
+  if (!is_double || document.loose.size() != 1) return false;
+  if (document.loose[0]->stroke.samples.size() != 1) return false;
+  bool const is_far = press->pointer.is_secondary;
+  auto const layer = pick_layer(document, press->pointer.canvas, 0,
+                                is_far ? PickDepth::Farthest : PickDepth::Nearest);
+  if (layer == LayerId::None || !undo_entry(turn)) return false;
+  state.pointers = drop_pointers(state.pointers).state;
+  run_action(turn, is_far ? "duplicate_before" : "duplicate_behind",
+             std::to_string(static_cast<int>(layer)));
+  return true;
+}
+
+void run_tool(Turn& turn, ToTool const& routed) {
+  auto& state = turn.state;
+  if (take_double_click(turn, routed.tool, routed.event)) return;
+  auto const step =
+      tool_step(routed.tool, state.tool, routed.event, {shown_document(state), state.view});
+  take_step(turn, routed.tool, step);
+}
+
+void take_routed(Turn& turn, Routed const& routed) {
+  auto& [state, changes, progress, argument] = turn;
+  if (auto const* const to_tool = std::get_if<ToTool>(&routed)) return run_tool(turn, *to_tool);
+  if (auto const* const to_camera = std::get_if<ToCamera>(&routed)) {
+    state.view.camera = to_camera->camera;
+  } else if (auto const* const to_model = std::get_if<ToModel>(&routed)) {
+    state.view.model = to_model->model;
+  } else if (auto const* const to_action = std::get_if<ToAction>(&routed)) {
+    return run_action(turn, to_action->name, "");
+  }
+  changes.is_scene_changed = true;
+}
+
+void take_route(Turn& turn, RouteStep route) {
+  turn.state.pointers = std::move(route.state);
+  for (auto const& routed : route.routed) take_routed(turn, routed);
+}
+
+bool is_in_gesture(EditorState const& state) {
+  return state.gesture || !std::holds_alternative<ToolIdle>(state.tool);
+}
+
+/// Ends what the hand is doing as if it had never begun.
+void stop_hand(Turn& turn) {
+  take_route(turn, drop_pointers(turn.state.pointers));
+  if (is_in_gesture(turn.state)) drop_gesture(turn);
+}
+
+void take(Turn& turn, PointerEvent const& event) {
+  take_route(turn, route_pointer(turn.state.pointers, event, turn.state.view));
+}
+
+void take(Turn& turn, WheelEvent const& event) {
+  take_route(turn, route_wheel(turn.state.pointers, event, turn.state.view));
+}
+
+void take(Turn& turn, GestureEvent const& event) {
+  take_route(turn, route_gesture(turn.state.pointers, event, turn.state.view));
+}
+
+void take(Turn& turn, ActionEvent const& event) {
+  bool const was_in_gesture = is_in_gesture(turn.state);
+  if (was_in_gesture) stop_hand(turn);
+  // Esc and undo in the middle of a gesture take back just that.
+  if (was_in_gesture && (event.name == "cancel" || event.name == "undo")) return;
+  run_action(turn, event.name, event.argument);
+}
+
+void take(Turn& turn, KeyEvent const& event) {
+  auto& state = turn.state;
+  if (event.key == " ") {
+    state.pointers.is_space_held = event.is_press;
+    return;
+  }
+  if (!event.is_press) return;
+  auto const action = state.keys.action_for(event, state.view.mode);
+  if (!action.empty()) take(turn, ActionEvent{std::string(action)});
+}
+
+void take(Turn& turn, FileEvent const& event) {
+  if (is_in_gesture(turn.state)) stop_hand(turn);
+  open_file(turn, event);
+}
+
+void take(Turn& turn, ResizeEvent const& event) {
+  bool const is_size = event.width_px >= 1 && event.height_px >= 1 &&
+                       event.width_px <= kLargestViewPx && event.height_px <= kLargestViewPx;
+  if (!is_size) return;
+  turn.state.view.size = {event.width_px, event.height_px};
+  turn.changes.is_scene_changed = true;
+}
+
+void make_model(Turn& turn) {
+  auto& state = turn.state;
+  auto const made = state.model.make(state.history.document(), turn.progress);
+  turn.changes.is_scene_changed = true;
+  if (made) return;
+  state.view.mode = Mode::Draw;
+  turn.changes.is_state_changed = true;
+  if (made.error().code == ErrorCode::Cancelled) return say(turn, made.error());
+  say(turn, Severity::Problem, Word::ModelFault, {made.error().message});
+}
+
+bool is_model_wanted(EditorState const& state) {
+  return state.view.mode != Mode::Draw && !state.model.is_current(state.history.document());
+}
+
+std::string name_of(int label) {
+  bool const is_known = label >= 0 && label < std::ssize(actions());
+  return is_known ? std::string(actions()[static_cast<std::size_t>(label)].name) : std::string();
+}
+
+LayerRow row_of(Layer const& layer, View const& view) {
+  return {layer.id,        layer.name,      layer.thickness, layer.fill,
+          layer.is_hidden, layer.is_locked, layer.is_open,   is_selected(view, layer.id)};
+}
+
+}  // namespace
+
+struct Engine::Inside {
+  EditorState state;
+  Progress progress;
+  SceneBuilder scenes;
+};
+
+Engine::Engine(Progress progress) : inside_(std::make_unique<Inside>()) {
+  inside_->progress = std::move(progress);
+}
+Engine::~Engine() = default;
+Engine::Engine(Engine&&) noexcept = default;
+Engine& Engine::operator=(Engine&&) noexcept = default;
+
+Changes Engine::handle(Event const& event) {
+  Changes changes;
+  Turn turn = {inside_->state, changes, inside_->progress};
+  std::visit([&](auto const& each) { take(turn, each); }, event);
+  return changes;
+}
+
+bool Engine::has_work() const {
+  auto const& state = inside_->state;
+  return state.is_preview_stale || is_model_wanted(state);
+}
+
+Changes Engine::work() {
+  Changes changes;
+  auto& state = inside_->state;
+  Turn turn = {state, changes, inside_->progress};
+  if (is_model_wanted(state)) {
+    make_model(turn);
+  } else if (state.is_preview_stale) {
+    state.preview = preview_shape(state.history.document(), inside_->progress);
+    state.is_preview_stale = false;
+    changes.is_scene_changed = true;
+  }
+  return changes;
+}
+
+Changes Engine::recover(std::span<std::byte const> journal) {
+  Changes changes;
+  auto& state = inside_->state;
+  Turn turn = {state, changes, inside_->progress};
+  auto read = read_journal(journal);
+  if (!read) {
+    say(turn, Severity::Problem, Word::CannotRead, {read.error().message});
+    return changes;
+  }
+  stop_hand(turn);
+  state.history = std::move(read->history);
+  state.saved = empty_document();
+  // What was whole goes on as the new journal; what was torn is gone for good.
+  for (auto const byte : journal.first(read->bytes)) {
+    changes.journal.push_back(static_cast<char>(byte));
+  }
+  changes.is_journal_new = true;
+  state.journal_bytes = std::ssize(changes.journal);
+  follow_document(turn);
+  fit_paper(turn);
+  say(turn, Severity::Status, Word::Recovered);
+  return changes;
+}
+
+Scene Engine::scene() {
+  auto const& state = inside_->state;
+  bool const has_model = state.view.mode != Mode::Draw;
+  return inside_->scenes.build(
+      {shown_document(state), state.view, state.tool, state.preview,
+       has_model ? state.model.scene(state.view.model, state.view.shading) : std::nullopt});
+}
+
+EngineState Engine::state() const {
+  auto const& state = inside_->state;
+  auto const& document = shown_document(state);
+  EngineState result;
+  result.view = state.view;
+  auto const& layers = *document.layers;
+  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+    result.layers.push_back(row_of((*layer)->layer, state.view));
+  }
+  result.has_rough_strokes = has_rough_strokes(document);
+  result.choice = *document.choice;
+  result.undo_name = name_of(state.history.undo_label());
+  result.redo_name = name_of(state.history.redo_label());
+  result.is_saved = is_saved(state);
+  result.file_name = state.file_name;
+  result.language = state.language;
+  for (auto const& action : actions()) {
+    auto const* const handler = find_handler(action.name);
+    if (handler == nullptr || handler->is_enabled(state)) {
+      result.enabled.emplace_back(action.name);
+    }
+  }
+  return result;
+}
+
+Document const& Engine::document() const { return shown_document(inside_->state); }
+History const& Engine::history() const { return inside_->state.history; }
+
+}  // namespace inkflate

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "editor/action_handlers.h"
+#include "editor/pick.h"
+
+namespace inkflate {
+namespace {
+
+constexpr double kZoomStep = 1.25;
+constexpr double kTurnStepRad = 0.2617993877991494;  // 15 degrees
+constexpr double kHighestTiltRad = 1.5707963267948966;
+
+void view_changed(Turn& turn) {
+  turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
+}
+
+Vec2 middle(View const& view) { return {view.size.width_px / 2, view.size.height_px / 2}; }
+
+bool is_drawing(EditorState const& state) { return state.view.mode == Mode::Draw; }
+bool is_turning(EditorState const& state) { return !is_drawing(state); }
+
+void draw(Turn& turn) {
+  turn.state.view.mode = Mode::Draw;
+  view_changed(turn);
+}
+
+/// Strokes that are still rough are closed first: whoever wants a model wants all of the drawing in it.
+void show_model(Turn& turn, Mode mode) {
+  auto& state = turn.state;
+  if (has_rough_strokes(state.history.document()) && state.view.mode == Mode::Draw) {
+    simplify_document(turn);
+  }
+  if (shown_drawing(state.history.document()).layers.empty()) {
+    return say(turn, Severity::Warning, Word::NothingToInflate);
+  }
+  state.view.mode = mode;
+  view_changed(turn);
+}
+
+/// The paper in Draw, the model in the other modes.
+void zoom_by(Turn& turn, double factor) {
+  auto& view = turn.state.view;
+  if (view.mode == Mode::Draw) {
+    view.camera = zoomed(view.camera, view.size, middle(view), factor);
+  } else {
+    view.model.zoom = std::clamp(view.model.zoom * factor, kLeastModelZoom, kLargestModelZoom);
+  }
+  view_changed(turn);
+}
+
+void zoom_actual(Turn& turn) {
+  auto& view = turn.state.view;
+  if (view.mode == Mode::Draw) {
+    view.camera = zoomed(view.camera, view.size, middle(view), 1 / view.camera.zoom);
+  } else {
+    view.model.zoom = 1;
+    view.model.pan_px = {};
+  }
+  view_changed(turn);
+}
+
+void fit(Turn& turn, Rect const& box) {
+  auto& view = turn.state.view;
+  view.camera = fitted(view.camera, view.size, box);
+  view_changed(turn);
+}
+
+void zoom_selection(Turn& turn) {
+  auto const& view = turn.state.view;
+  if (view.selection.empty()) return say(turn, Severity::Warning, Word::NothingSelected);
+  fit(turn, box_of(turn.state.history.document(), view.selection));
+}
+
+void mirror(Turn& turn) {
+  auto& camera = turn.state.view.camera;
+  camera = mirrored(camera);
+  view_changed(turn);
+}
+
+void toggle_grid(Turn& turn) {
+  auto& view = turn.state.view;
+  view.has_grid = !view.has_grid;
+  view_changed(turn);
+}
+
+void look(Turn& turn) {
+  auto& shading = turn.state.view.shading;
+  if (turn.argument == "matcap") {
+    shading = Shading::Matcap;
+  } else if (turn.argument == "textured") {
+    shading = Shading::Textured;
+  } else if (turn.argument == "lines") {
+    shading = Shading::Lines;
+  } else {
+    return refuse_argument(turn);
+  }
+  view_changed(turn);
+}
+
+template <int kTurns, int kTilts>
+void turn_model(Turn& turn) {
+  auto& model = turn.state.view.model;
+  model.turn_rad += kTurns * kTurnStepRad;
+  model.tilt_rad =
+      std::clamp(model.tilt_rad + kTilts * kTurnStepRad, -kHighestTiltRad, kHighestTiltRad);
+  view_changed(turn);
+}
+
+void reset_turn(Turn& turn) {
+  turn.state.view.model = {};
+  view_changed(turn);
+}
+
+constexpr std::array kHandlers = {
+    ActionHandler{"mode_draw", draw, always},
+    ActionHandler{"mode_inflate", [](Turn& turn) { show_model(turn, Mode::Inflate); }, always},
+    ActionHandler{"mode_animate", [](Turn& turn) { show_model(turn, Mode::Animate); }, always},
+    ActionHandler{"zoom_in", [](Turn& turn) { zoom_by(turn, kZoomStep); }, always},
+    ActionHandler{"zoom_out", [](Turn& turn) { zoom_by(turn, 1 / kZoomStep); }, always},
+    ActionHandler{"zoom_actual", zoom_actual, always},
+    ActionHandler{"zoom_fit", [](Turn& turn) { fit_paper(turn); }, always},
+    ActionHandler{"zoom_selection", zoom_selection, has_selection},
+    ActionHandler{"mirror_view", mirror, is_drawing},
+    ActionHandler{"grid", toggle_grid, always},
+    ActionHandler{"look", look, is_turning},
+    ActionHandler{"turn_left", turn_model<-1, 0>, is_turning},
+    ActionHandler{"turn_right", turn_model<1, 0>, is_turning},
+    ActionHandler{"turn_up", turn_model<0, 1>, is_turning},
+    ActionHandler{"turn_down", turn_model<0, -1>, is_turning},
+    ActionHandler{"reset_turn", reset_turn, is_turning},
+};
+
+}  // namespace
+
+std::span<ActionHandler const> view_handlers() { return kHandlers; }
+
+void fit_paper(Turn& turn) {
+  auto const& document = turn.state.history.document();
+  auto box = box_of(document);
+  if (box.is_empty()) box = {{0, 0}, {document.width_px, document.height_px}};
+  fit(turn, box);
+}
+
+}  // namespace inkflate
