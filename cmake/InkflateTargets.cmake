@@ -10,7 +10,8 @@ option(INKFLATE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 
 find_program(INKFLATE_CCACHE ccache)
 if(INKFLATE_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${INKFLATE_CCACHE})
+  # What one copy of the sources has compiled serves a copy in another place too.
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=true ${INKFLATE_CCACHE})
 endif()
 
 add_library(inkflate_flags INTERFACE)

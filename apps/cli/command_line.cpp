@@ -62,7 +62,7 @@ ExitStatus run_command_line(std::vector<std::string> const& words) {
   std::vector<Verb> const verbs = {declare_simplify(program), declare_inflate(program),
                                    declare_render(program),   declare_check(program),
                                    declare_convert(program),  declare_info(program),
-                                   declare_hash(program)};
+                                   declare_hash(program),     declare_replay(program)};
   try {
     program.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants it so
   } catch (CLI::ParseError const& failure) {

@@ -30,6 +30,8 @@ bool print(std::string_view text) { return !write_file(std::string(kStandardStre
 
 void print_error(std::string_view file, Error const& error) { print_line(file, error.message); }
 
+void print_note(std::string_view file, std::string_view message) { print_line(file, message); }
+
 void print_warning(std::string_view file, std::string_view message) {
   print_line(file, "warning: " + std::string(message));
 }

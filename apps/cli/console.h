@@ -19,6 +19,7 @@ std::string one_line(std::string_view text);
 
 /// One line on standard error: "inkflate: FILE: message"; an empty file name is left out.
 void print_error(std::string_view file, Error const& error);
+void print_note(std::string_view file, std::string_view message);
 void print_warning(std::string_view file, std::string_view message);
 
 /// {"error": {"code", "message", "where"}}, to be joined with more.

@@ -25,6 +25,12 @@ class Descriptor {
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }
 
+  /// Owns another one.
+  void reset(int number) {
+    if (is_open()) ::close(number_);
+    number_ = number;
+  }
+
   /// Closes now, to learn whether that went well: some file systems tell of a full disk only here.
   [[nodiscard]] bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 

@@ -10,7 +10,7 @@ namespace inkflate::cli {
 
 Result<ReadDocument> load_document(SharedOptions const& options, std::string const& input,
                                    Progress const& progress) {
-  progress.report("read");
+  if (!progress.enter("read")) return Error{ErrorCode::Cancelled, "stopped on request"};
   auto const content = read_file(input);
   if (!content) return content.error();
   auto document = read_document(*content);

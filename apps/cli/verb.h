@@ -38,5 +38,6 @@ Verb declare_convert(CLI::App& program);
 Verb declare_info(CLI::App& program);
 Verb declare_check(CLI::App& program);
 Verb declare_hash(CLI::App& program);
+Verb declare_replay(CLI::App& program);
 
 }  // namespace inkflate::cli

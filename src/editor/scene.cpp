@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "document/apply.h"
+#include "document/apply.h"
 #include "editor/scene_guides.h"
 #include "render/palette.h"
 
@@ -24,7 +26,7 @@ View drawable(View view) {
   if (!is_finite(camera.centre) || !std::isfinite(camera.zoom)) camera = Camera{};
   camera.zoom = std::clamp(camera.zoom, Camera::kLeastZoom, Camera::kLargestZoom);
   auto const within = [](double value) {
-    return std::clamp(value, -Camera::kReachPx, Camera::kReachPx);
+    return std::clamp(value, -DocumentLimits::kFarthestPx, DocumentLimits::kFarthestPx);
   };
   camera.centre = {within(camera.centre.x), within(camera.centre.y)};
   return view;

@@ -14,9 +14,8 @@
 namespace inkflate {
 namespace {
 
-// Samples nearer to each other than this are one, from so many samples on; of fewer, only nearer ones. Rough drawings of any number
-// of strokes keep about 10 000 samples then.
-constexpr double kThinningPx = 2.5;
+// From so many samples on, those nearer to each other than their spacing are one; of fewer, only nearer ones. Rough drawings of any number
+// of strokes keep about 10 000 then.
 constexpr double kFullyThinnedSamples = 20'000;
 
 // Ink is averaged over so many corners to each side: the pen's tremor.
@@ -27,7 +26,8 @@ StrokeSamples quick_samples(Sketch const& sketch, std::vector<int> const& stroke
   auto samples = sample_strokes(sketch, strokes, space, kCutSpacingPx);
   auto const count = static_cast<double>(samples.points.size());
   if (count <= kQuickSamples) return samples;
-  return thin_samples(sketch, samples, kThinningPx * std::min(1.0, count / kFullyThinnedSamples));
+  return thin_samples(sketch, samples,
+                      samples.spacing_px * std::min(1.0, count / kFullyThinnedSamples));
 }
 
 /// The points of a chain with its end; of ink without the tremor.

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include "base/rng.h"
 #include "render/fill_coverage.h"
@@ -131,6 +133,58 @@ TEST(Rasterise, WidthFollowsTheVertices) {
   auto const picture = rasterise({line}, 200, 100, kWhite);
   EXPECT_EQ(picture.at(170, 57), kBlack);
   EXPECT_EQ(picture.at(30, 57), kWhite);
+}
+
+TEST(Rasterise, WidthsStayWithinTheirLimitsWhereverTheListIsPlaced) {
+  StrokedPolyline const line = {{{20, 50}, {180, 50}}, {4}, {}, kBlack, {2, 8}};
+  auto const ink = [&](double scale) {
+    auto const map = Affine{1, 0, 0, scale, 0, 50 - 50 * scale};
+    auto placed = place({line}, map);
+    std::get<StrokedPolyline>(placed[0]).widths_px = {4 * scale};
+    return darkness(rasterise(placed, 200, 100, kWhite)) / 160;
+  };
+  EXPECT_NEAR(ink(1), 4, 0.2);
+  EXPECT_NEAR(ink(0.01), 2, 0.2);
+  EXPECT_NEAR(ink(100), 8, 0.5);
+}
+
+TEST(Rasterise, DashesFollowAWidthThatIsLimited) {
+  StrokedPolyline line = {{{10, 10}, {99, 10}}, {4}, {0, 10}, kBlack};
+  auto const dots = rasterise({line}, 120, 20, kWhite);
+  line.widths_px = {1};
+  line.dashes_px = {0, 2.5};
+  line.limits.least_px = 4;
+  EXPECT_EQ(rasterise({line}, 120, 20, kWhite), dots);
+}
+
+TEST(Rasterise, APictureInItsPlaceIsThePicture) {
+  auto const picture = std::make_shared<Picture const>(rasterise(
+      {FilledPath{{{{2, 12}, {9, 12}, {9, 18}}}, {90, 20, 30, 200}}}, 20, 20, {0, 0, 0, 0}));
+  DrawnPicture drawn = {picture, {}, 1};
+  EXPECT_EQ(rasterise({drawn}, 20, 20, {0, 0, 0, 0}), *picture);
+  auto const moved = rasterise(place({drawn}, Affine::translation({30, 5})), 60, 30, kWhite);
+  EXPECT_EQ(moved.at(38, 18), rasterise({drawn}, 20, 20, kWhite).at(8, 13));
+  drawn.opacity = 0;
+  EXPECT_EQ(rasterise({drawn}, 20, 20, kWhite), Picture(20, 20, kWhite));
+}
+
+TEST(Rasterise, APictureCoversItsAreaHoweverItIsTurned) {
+  auto const picture = std::make_shared<Picture const>(40, 20, kBlack);
+  Affine const map = {1.2, 0.9, -0.9, 1.2, 60, 20};
+  double const area = 800 * map.determinant();
+  EXPECT_NEAR(darkness(rasterise({DrawnPicture{picture, map, 1}}, 150, 120, kWhite)), area,
+              0.02 * area);
+}
+
+TEST(Rasterise, APictureWithoutAreaIsNotDrawn) {
+  auto const picture = std::make_shared<Picture const>(4, 4, kBlack);
+  double const nan = std::numeric_limits<double>::quiet_NaN();
+  DrawList const list = {DrawnPicture{nullptr, {}, 1},
+                         DrawnPicture{std::make_shared<Picture const>(), {}, 1},
+                         DrawnPicture{picture, Affine::scaling(0, 1), 1},
+                         DrawnPicture{picture, Affine::scaling(nan, 1), 1},
+                         DrawnPicture{picture, Affine::translation({1e9, 0}), 1}};
+  EXPECT_EQ(rasterise(list, 9, 9, kWhite), Picture(9, 9, kWhite));
 }
 
 }  // namespace

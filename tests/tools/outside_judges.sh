@@ -66,7 +66,7 @@ run_judges() {
   $only_judges && expected='^$'
   python3 "tests/judges/$1" "${@:2}" >"$log" 2>&1
   grep -Ev "$expected" "$log"
-  count "$(sed -n 's/^\([0-9]*\) passed, .*/\1/p' "$log")" "$(sed -n 's/.* passed, \([0-9]*\) failed$/\1/p' "$log")"
+  count_from_log
 }
 
 outside_judges() {

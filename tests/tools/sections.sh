@@ -42,6 +42,11 @@ run_gtest() {
   count "${passed:-0}" "${failed:-0}"
 }
 
+# Takes over the counts of a program whose output lies in the log and ends with "P passed, F failed".
+count_from_log() {
+  count "$(sed -n 's/^\([0-9]*\) passed, .*/\1/p' "$log")" "$(sed -n 's/.* passed, \([0-9]*\) failed$/\1/p' "$log")"
+}
+
 # tracked_files PATTERN...: what git knows; in a tree without git, all that lies there.
 tracked_files() {
   git ls-files -- "$@" 2>/dev/null && return
