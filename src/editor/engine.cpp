@@ -101,8 +101,8 @@ bool take_double_click(EditorTurn& turn, Tool tool, ToolEvent const& event) {
 void run_tool(EditorTurn& turn, ToTool const& routed) {
   auto& state = turn.state;
   if (take_double_click(turn, routed.tool, routed.event)) return;
-  auto const step =
-      tool_step(routed.tool, state.tool, routed.event, {shown_document(state), state.view});
+  auto const step = tool_step(routed.tool, std::move(state.tool), routed.event,
+                              {shown_document(state), state.view});
   take_step(turn, routed.tool, step);
 }
 
@@ -232,7 +232,7 @@ Changes Engine::work() {
   if (is_model_wanted(state)) {
     make_model(turn);
   } else if (state.is_preview_stale) {
-    state.preview = preview_shape(state.history.document(), inside_->progress);
+    state.preview = state.previewer.preview(state.history.document(), inside_->progress);
     state.is_preview_stale = false;
     changes.is_scene_changed = true;
   }
