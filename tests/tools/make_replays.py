@@ -35,6 +35,13 @@ def part(recording, group, layers=1, **event):
     recording.simplify(group.fill, layers)
 
 
+def close_root(recording, *limbs):
+    """Help lines across the open roots of limbs, given as the points of limb()."""
+    recording.pick("l")
+    for points in limbs:
+        recording.stroke([points[0][:2], points[-1][:2]], button="secondary")
+
+
 def slip(recording, points):
     """A line that goes astray and is taken back."""
     recording.pick("b")
@@ -53,6 +60,7 @@ def mouse():
     part(recording, parts["near-ear"])
     part(recording, parts["far-ear"], button="secondary")
     recording.pinch(1 / 1.6, (500, 200))
+    close_root(recording, [(x - 36, y - 20) for x, y, _ in limb("750,586 824,632 900,636", [40, 30, 26])])
     part(recording, parts["tail"], button="secondary")
     return recording
 
@@ -119,8 +127,13 @@ def crab():
     recording = Recording(crab.__doc__)
     parts = parts_of(sea.crab, "crab")
     part(recording, parts["body"])
-    for name, layers in (("right-claw", 1), ("left-claw", 1), ("right-legs", 3), ("left-legs", 3)):
-        part(recording, parts[name], layers, button="secondary")
+    for name in ("right-claw", "left-claw"):
+        part(recording, parts[name], button="secondary")
+    left = [limb(spine, [46, 36]) for spine in ("330,440 240,428", "344,490 262,510", "400,524 340,580")]
+    right = [[(1000 - x, y) for x, y, _ in points] for points in left]
+    for name, roots in (("right-legs", right), ("left-legs", left)):
+        close_root(recording, *roots)
+        part(recording, parts[name], layers=3, button="secondary")
     return recording
 
 
