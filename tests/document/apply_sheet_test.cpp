@@ -31,6 +31,13 @@ TEST(SetTemplate, RefusesEmptyAndHugePictures) {
   EXPECT_EQ(test::refusal(empty_document(), SetTemplate{}), ErrorCode::NothingThere);
   EXPECT_EQ(test::refusal(empty_document(), SetTemplate{picture(0, 5)}), ErrorCode::TooLarge);
   EXPECT_EQ(test::refusal(empty_document(), SetTemplate{picture(16385, 1)}), ErrorCode::TooLarge);
+  EXPECT_EQ(test::refusal(empty_document(), SetTemplate{picture(1, 16385)}), ErrorCode::TooLarge);
+  EXPECT_EQ(test::refusal(empty_document(), SetTemplate{picture(5, 0)}), ErrorCode::TooLarge);
+  // Refused by its sides alone, so it needs no pixels.
+  Picture vast;
+  vast.width = vast.height = 8001;
+  auto const shared = std::make_shared<Picture const>(std::move(vast));
+  EXPECT_EQ(test::refusal(empty_document(), SetTemplate{shared}), ErrorCode::TooLarge);
 }
 
 TEST(SetCanvas, HasAtLeastOnePixel) {

@@ -218,6 +218,70 @@ TEST(Engine, ErasingInAPartOpensItAndEnterClosesItAgain) {
   EXPECT_EQ(layer.id, static_cast<LayerId>(1));
 }
 
+TEST(Engine, ErasingAcrossSeveralStrokesIsOneEntry) {
+  Artist artist;
+  for (double const y : {300.0, 400.0, 500.0}) artist.draw({{100, y}, {900, y}});
+  auto const before = hash_of(artist);
+  artist.key("e");
+  artist.draw({{500, 280}, {500, 320}, {500, 420}, {500, 520}});
+  EXPECT_EQ(artist.document().loose.size(), 6);
+  EXPECT_EQ(artist.state().undo_name, "eraser");
+  artist.act("undo");
+  EXPECT_EQ(hash_of(artist), before);
+}
+
+TEST(Engine, GesturesAreUndoneUnderTheNameOfTheirTool) {
+  Artist artist;
+  artist.key("l");
+  artist.draw({{100, 100}, {200, 200}});
+  EXPECT_EQ(artist.state().undo_name, "help_line");
+  artist.key("h");
+  artist.draw({{100, 100}, {200, 200}});
+  EXPECT_EQ(artist.engine().history().size(), 1) << "panning is no entry";
+}
+
+TEST(Engine, ThePartUnderThePointerIsHovered) {
+  Artist artist;
+  artist.draw_circle(kMiddle, 200);
+  artist.key("Enter");
+  artist.key("v");
+  artist.move(kMiddle);
+  EXPECT_EQ(artist.state().view.hover, LayerId{1});
+  artist.move({5, 5});
+  EXPECT_EQ(artist.state().view.hover, LayerId::None);
+  artist.move(kMiddle);
+  artist.act("undo");
+  EXPECT_EQ(artist.state().view.hover, LayerId::None) << "the part is gone";
+}
+
+TEST(Engine, ATapOfTwoFingersUndoes) {
+  Artist artist;
+  artist.draw({{100, 100}, {200, 200}});
+  for (auto const action : {PointerAction::Press, PointerAction::Release}) {
+    for (int finger = 1; finger <= 2; ++finger) {
+      PointerEvent event;
+      event.action = action;
+      event.kind = PointerKind::Touch;
+      event.id = finger;
+      event.screen = {300.0 + 100 * finger, 400};
+      event.time_s = 50 + 0.01 * finger;
+      artist.send(event);
+    }
+  }
+  EXPECT_TRUE(is_blank(artist.document()));
+  EXPECT_EQ(artist.state().redo_name, "brush");
+}
+
+TEST(Engine, AFileInTheMiddleOfAStrokeDropsTheStroke) {
+  Artist artist;
+  artist.press({100, 100});
+  artist.move({300, 300});
+  artist.send(FileEvent{{}, "none.svg", FileUse::Open});
+  EXPECT_TRUE(has_said(artist, Word::CannotRead));
+  artist.release({400, 100});
+  EXPECT_TRUE(is_blank(artist.document()));
+}
+
 TEST(Engine, SpaceHeldPansAndDrawsNothing) {
   Artist artist;
   KeyEvent space;

@@ -123,5 +123,11 @@ TEST(MoveToIndex, ToTheSamePlaceIsRefused) {
   EXPECT_EQ(result.error().code, ErrorCode::NothingThere);
 }
 
+TEST(MoveToIndex, ALayerThatThereIsNotIsRefused) {
+  auto const result = move_to_index(discs_at({100}), LayerId{7}, 0);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::NothingThere);
+}
+
 }  // namespace
 }  // namespace inkflate
