@@ -2,7 +2,7 @@
 # Shared by ./run and ./test: what has to be installed, and how a target is built. To be sourced with $top set.
 
 build_packages=(g++ cmake ninja-build ccache libcli11-dev nlohmann-json3-dev libstb-dev libeigen3-dev)
-test_packages=(clang clang-format clang-tidy libclang-rt-dev libgtest-dev googletest
+test_packages=(clang clang-format clang-tidy llvm-14 libclang-rt-dev libgtest-dev googletest
   libbenchmark-dev librapidcheck-dev emscripten nodejs python3 git ca-certificates admesh)
 judge_packages=(assimp-utils blender python3-numpy godot3-server prusa-slicer chromium)
 

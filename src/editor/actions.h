@@ -35,11 +35,11 @@ struct KeyChord {
 };
 
 struct Action {
-  std::string_view name;  // "undo": as events, recordings and remapping call it
-  Menu menu = Menu::Edit;
+  std::string_view name;     // "undo": as events, recordings and remapping call it
   std::string_view english;  // "Undo"
   std::string_view czech;    // "Zpět"
   std::string_view keys;     // "Ctrl+Shift+Z, Ctrl+Y": default chords, the first is shown
+  Menu menu = Menu::Edit;
   ActionArgument argument = ActionArgument::None;
   std::string_view choices = {};  // "on off": of a Choice
   KeyModes modes = KeyModes::All;
@@ -52,6 +52,8 @@ std::span<Action const> actions();
 Action const* find_action(std::string_view name);
 /// Index in actions(); -1: none. As label of history entries.
 int action_index(std::string_view name);
+/// The other way round; empty: no such index.
+std::string_view action_name(int index);
 
 std::string_view label(Action const& action, Language language);
 std::string_view label(Menu menu, Language language);

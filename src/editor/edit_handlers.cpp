@@ -9,12 +9,6 @@
 namespace inkflate {
 namespace {
 
-std::vector<std::string> name_of_action(int label, Language language) {
-  bool const is_known = label >= 0 && label < std::ssize(actions());
-  if (!is_known) return {""};
-  return {std::string(inkflate::label(actions()[static_cast<std::size_t>(label)], language))};
-}
-
 /// What is undone or redone is part of the drawing: there one sees it change.
 void show_drawing(EditorTurn& turn) { turn.state.view.mode = Mode::Draw; }
 
@@ -22,14 +16,14 @@ void undo(EditorTurn& turn) {
   int const label = turn.state.history.undo_label();
   if (!undo_entry(turn)) return say(turn, Severity::Warning, Word::NothingToUndo);
   show_drawing(turn);
-  say(turn, Severity::Status, Word::Undone, name_of_action(label, turn.state.language));
+  say(turn, Severity::Status, Word::Undone, {std::string(action_name(label))});
 }
 
 void redo(EditorTurn& turn) {
   int const label = turn.state.history.redo_label();
   if (!redo_entry(turn)) return say(turn, Severity::Warning, Word::NothingToRedo);
   show_drawing(turn);
-  say(turn, Severity::Status, Word::Redone, name_of_action(label, turn.state.language));
+  say(turn, Severity::Status, Word::Redone, {std::string(action_name(label))});
 }
 
 void delete_selected(EditorTurn& turn) {

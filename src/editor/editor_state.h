@@ -14,6 +14,7 @@
 #include "editor/tool.h"
 #include "editor/view.h"
 #include "pipeline/close_document.h"
+#include "pipeline/shape_previewer.h"
 
 namespace inkflate {
 
@@ -36,6 +37,7 @@ struct EditorState {
   std::string file_name = "drawing";  // without extension
   Document saved = empty_document();  // as it was saved or opened last
   long long journal_bytes = 0;        // 0: not begun
+  ShapePreviewer previewer;
   ShapePreview preview;
   bool is_preview_stale = false;
   ModelCache model;

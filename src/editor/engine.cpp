@@ -38,6 +38,11 @@ std::string_view action_of(Tool tool) {
 void change_gesture(EditorTurn& turn, Step& step) {
   auto& state = turn.state;
   if (step.effect == GestureEffect::None) return;
+  if (step.effect == GestureEffect::Replace && step.commands.empty()) {
+    state.gesture.reset();
+    turn.changes.is_scene_changed = true;
+    return;
+  }
   bool const is_new = step.effect == GestureEffect::Replace || !state.gesture;
   auto const& base = is_new ? state.history.document() : state.gesture->document;
   auto next = inkflate::apply(base, step.commands);
@@ -96,8 +101,8 @@ bool take_double_click(EditorTurn& turn, Tool tool, ToolEvent const& event) {
 void run_tool(EditorTurn& turn, ToTool const& routed) {
   auto& state = turn.state;
   if (take_double_click(turn, routed.tool, routed.event)) return;
-  auto const step =
-      tool_step(routed.tool, state.tool, routed.event, {shown_document(state), state.view});
+  auto const step = tool_step(routed.tool, std::move(state.tool), routed.event,
+                              {shown_document(state), state.view});
   take_step(turn, routed.tool, step);
 }
 
@@ -188,11 +193,6 @@ bool is_model_wanted(EditorState const& state) {
   return state.view.mode != Mode::Draw && !state.model.is_current(state.history.document());
 }
 
-std::string name_of(int label) {
-  bool const is_known = label >= 0 && label < std::ssize(actions());
-  return is_known ? std::string(actions()[static_cast<std::size_t>(label)].name) : std::string();
-}
-
 LayerRow row_of(Layer const& layer, View const& view) {
   return {layer.id,        layer.name,      layer.thickness, layer.fill,
           layer.is_hidden, layer.is_locked, layer.is_open,   is_selected(view, layer.id)};
@@ -232,7 +232,7 @@ Changes Engine::work() {
   if (is_model_wanted(state)) {
     make_model(turn);
   } else if (state.is_preview_stale) {
-    state.preview = preview_shape(state.history.document(), inside_->progress);
+    state.preview = state.previewer.preview(state.history.document(), inside_->progress);
     state.is_preview_stale = false;
     changes.is_scene_changed = true;
   }
@@ -282,8 +282,8 @@ EngineState Engine::state() const {
   }
   result.has_rough_strokes = has_rough_strokes(document);
   result.choice = *document.choice;
-  result.undo_name = name_of(state.history.undo_label());
-  result.redo_name = name_of(state.history.redo_label());
+  result.undo_name = action_name(state.history.undo_label());
+  result.redo_name = action_name(state.history.redo_label());
   result.is_saved = is_saved(state);
   result.file_name = state.file_name;
   result.language = state.language;

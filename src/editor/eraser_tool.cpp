@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "editor/layer_shape.h"
@@ -16,7 +19,7 @@ double radius_px(View const& view) {
 
 /// The nearest closed layer whose rim or strokes lie under the eraser: the one that a person wants to repair there. One without
 /// strokes has nothing to be erased.
-DocumentLayer const* layer_to_open(Document const& document, Vec2 place, double radius) {
+DocumentLayer const* layer_at(Document const& document, Vec2 place, double radius) {
   auto const& layers = *document.layers;
   for (auto each = layers.rbegin(); each != layers.rend(); ++each) {
     auto const& kept = **each;
@@ -30,9 +33,39 @@ DocumentLayer const* layer_to_open(Document const& document, Vec2 place, double 
   return nullptr;
 }
 
-ToolState erasing_at(Vec2 place, bool is_lines) {
-  if (is_lines) return ToolErasingLines{place};
-  return ToolErasing{place};
+/// The first such layer that the eraser meets on a stretch.
+DocumentLayer const* layer_on_way(Document const& document, Vec2 from, Vec2 to, double radius) {
+  // Looks from afar need not be closer than this: a gesture that fast leaves nothing to aim at.
+  constexpr int most_looks = 64;
+  int const looks = static_cast<int>(
+      std::clamp(std::ceil(distance(from, to) / radius), 1.0, static_cast<double>(most_looks)));
+  for (int i = from == to ? looks : 0; i <= looks; ++i) {
+    auto const* const layer =
+        layer_at(document, lerp(from, to, static_cast<double>(i) / looks), radius);
+    if (layer != nullptr) return layer;
+  }
+  return nullptr;
+}
+
+struct Erasing {
+  Vec2 last;
+  bool is_lines = false;
+  bool has_met = false;  // something to erase
+};
+
+ToolState state_of(Erasing const& erasing) {
+  if (erasing.is_lines) return ToolErasingLines{erasing.last, erasing.has_met};
+  return ToolErasing{erasing.last, erasing.has_met};
+}
+
+std::optional<Erasing> erasing_of(ToolState const& state) {
+  if (auto const* const area = std::get_if<ToolErasing>(&state)) {
+    return Erasing{area->last, false, area->has_met};
+  }
+  if (auto const* const lines = std::get_if<ToolErasingLines>(&state)) {
+    return Erasing{lines->last, true, lines->has_met};
+  }
+  return std::nullopt;
 }
 
 /// What erases these strokes, or what of them lies under the stretch; nothing where there are none.
@@ -47,55 +80,48 @@ void add_erasing(std::vector<StrokeRef> strokes, Vec2 from, Vec2 to, bool is_lin
   }
 }
 
-Step press_eraser(ToolPointer const& pointer, ToolContext const& context) {
-  auto const place = pointer.canvas;
-  bool const is_lines = pointer.modifiers.is_alt;
+/// Erases along a stretch. A gesture works on what it meets first: rough strokes, or a closed layer, which it opens.
+Step erase(Erasing erasing, Vec2 to, ToolContext const& context) {
   double const radius = radius_px(context.view);
+  auto const from = std::exchange(erasing.last, to);
   Step step;
-  step.state = erasing_at(place, is_lines);
-  auto strokes = strokes_near(context.document, place, place, radius);
-  if (strokes.empty()) {
-    auto const* layer = layer_to_open(context.document, place, radius);
-    if (layer == nullptr) return step;
-    step.effect = GestureEffect::Append;
-    step.commands.push_back(OpenLayer{layer->layer.id});
-    for (int const index : strokes_near(layer->strokes, place, place, radius)) {
-      strokes.push_back({layer->layer.id, index});
+  auto strokes = strokes_near(context.document, from, to, radius);
+  if (strokes.empty() && !erasing.has_met) {
+    if (auto const* const layer = layer_on_way(context.document, from, to, radius)) {
+      erasing.has_met = true;
+      step.effect = GestureEffect::Append;
+      step.commands.push_back(OpenLayer{layer->layer.id});
+      for (int const index : strokes_near(layer->strokes, from, to, radius)) {
+        strokes.push_back({layer->layer.id, index});
+      }
     }
   }
-  add_erasing(std::move(strokes), place, place, is_lines, radius, step);
+  erasing.has_met = erasing.has_met || !strokes.empty();
+  add_erasing(std::move(strokes), from, to, erasing.is_lines, radius, step);
+  step.state = state_of(erasing);
   return step;
 }
 
 }  // namespace
 
 Step eraser_step(ToolState const& state, ToolEvent const& event, ToolContext const& context) {
-  double const radius = radius_px(context.view);
-  if (auto const* hover = std::get_if<ToolHover>(&event)) {
-    return hover_step(hover->pointer, context, radius);
+  if (auto const* const hover = std::get_if<ToolHover>(&event)) {
+    return hover_step(hover->pointer, context, radius_px(context.view));
   }
-  if (auto const* press = std::get_if<ToolPress>(&event)) {
-    return press_eraser(press->pointer, context);
+  if (auto const* const press = std::get_if<ToolPress>(&event)) {
+    auto const place = press->pointer.canvas;
+    return erase({place, press->pointer.modifiers.is_alt, false}, place, context);
   }
-  auto const* area = std::get_if<ToolErasing>(&state);
-  auto const* lines = std::get_if<ToolErasingLines>(&state);
-  if (area == nullptr && lines == nullptr) return {};
-  bool const is_lines = lines != nullptr;
-  auto const last = is_lines ? lines->last : area->last;
-
-  auto const* release = std::get_if<ToolRelease>(&event);
-  auto const place =
-      release != nullptr ? release->pointer.canvas : std::get<ToolMove>(event).pointer.canvas;
-  Step step;
-  if (release != nullptr) {
-    step = finished();
-  } else {
-    step.state = erasing_at(place, is_lines);
+  auto const erasing = erasing_of(state);
+  if (!erasing) return {};
+  if (auto const* const move = std::get_if<ToolMove>(&event)) {
+    return erase(*erasing, move->pointer.canvas, context);
   }
-  // Without a stretch everything near is gone already.
-  if (place == last) return step;
-  add_erasing(strokes_near(context.document, last, place, radius), last, place, is_lines, radius,
-              step);
+  auto const* const release = std::get_if<ToolRelease>(&event);
+  if (release == nullptr || release->pointer.canvas == erasing->last) return finished();
+  auto step = erase(*erasing, release->pointer.canvas, context);
+  step.state = ToolIdle{};
+  step.is_end = true;
   return step;
 }
 

@@ -20,17 +20,19 @@ constexpr std::string_view kNamedKeys[] = {
     "F9",    "F10",    "F11",       "F12",
 };
 
+struct ModifierName {
+  std::string_view prefix;
+  bool Modifiers::*member;
+};
+
+constexpr ModifierName kModifiers[] = {{"ctrl+", &Modifiers::is_ctrl},
+                                       {"cmd+", &Modifiers::is_ctrl},
+                                       {"alt+", &Modifiers::is_alt},
+                                       {"shift+", &Modifiers::is_shift}};
+
 /// Takes "Ctrl+" and the like off the front. False: none stands there, or one for the second time.
 bool take_modifier(std::string_view& text, Modifiers& modifiers) {
-  struct Row {
-    std::string_view prefix;
-    bool Modifiers::*member;
-  };
-  constexpr Row kRows[] = {{"ctrl+", &Modifiers::is_ctrl},
-                           {"cmd+", &Modifiers::is_ctrl},
-                           {"alt+", &Modifiers::is_alt},
-                           {"shift+", &Modifiers::is_shift}};
-  for (auto const& row : kRows) {
+  for (auto const& row : kModifiers) {
     if (lower_ascii(text.substr(0, row.prefix.size())) != row.prefix) continue;
     if (modifiers.*row.member) return false;
     text.remove_prefix(row.prefix.size());

@@ -86,8 +86,13 @@ DrawList draw_template(Document const& document) {
 }
 
 DrawList draw_preview_area(ShapePreview const& preview) {
-  if (preview.contours.empty()) return {};
-  return {FilledPath{preview.contours, palette::kShape}};
+  DrawList list;
+  for (std::size_t i = 0; i < preview.contours.size(); ++i) {
+    bool const is_new = i == 0 || preview.areas[i] != preview.areas[i - 1];
+    if (is_new) list.push_back(FilledPath{{}, palette::kShape});
+    std::get<FilledPath>(list.back()).contours.push_back(preview.contours[i]);
+  }
+  return list;
 }
 
 DrawList draw_preview_closings(ShapePreview const& preview) {

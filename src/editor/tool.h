@@ -54,12 +54,14 @@ struct ToolDrawing {
 
 /// Area eraser: erased up to here.
 struct ToolErasing {
-  Vec2 last;  // canvas px
+  Vec2 last;             // canvas px
+  bool has_met = false;  // something to erase
 };
 
 /// Line eraser: what lay between here and the press is gone.
 struct ToolErasingLines {
   Vec2 last;  // canvas px
+  bool has_met = false;
 };
 
 /// Pressed, not yet moved far enough to be a drag.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "editor/action_handlers.h"
 #include "editor/pick.h"
@@ -11,7 +9,6 @@ namespace {
 
 constexpr double kZoomStep = 1.25;
 constexpr double kTurnStepRad = 0.2617993877991494;  // 15 degrees
-constexpr double kHighestTiltRad = 1.5707963267948966;
 
 void view_changed(EditorTurn& turn) {
   turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
@@ -46,7 +43,7 @@ void zoom_by(EditorTurn& turn, double factor) {
   if (view.mode == Mode::Draw) {
     view.camera = zoomed(view.camera, view.size, middle(view), factor);
   } else {
-    view.model.zoom = std::clamp(view.model.zoom * factor, kLeastModelZoom, kLargestModelZoom);
+    view.model = zoomed(view.model, view.size, middle(view), factor);
   }
   view_changed(turn);
 }
@@ -103,9 +100,7 @@ void look(EditorTurn& turn) {
 template <int kTurns, int kTilts>
 void turn_model(EditorTurn& turn) {
   auto& model = turn.state.view.model;
-  model.turn_rad += kTurns * kTurnStepRad;
-  model.tilt_rad =
-      std::clamp(model.tilt_rad + kTilts * kTurnStepRad, -kHighestTiltRad, kHighestTiltRad);
+  model = turned(model, kTurns * kTurnStepRad, kTilts * kTurnStepRad);
   view_changed(turn);
 }
 

@@ -12,7 +12,8 @@ namespace inkflate {
 
 /// A command as one line of JSON that read_command gives back exactly: {"command": "add_stroke", ...}; docs/FORMATS.md.
 ///
-/// in      numbers finite, as apply wants them; names in UTF-8 (other bytes become U+FFFD)
+/// in      as apply takes it: a number that is not finite cannot be read again, nor a picture without pixels. Names in UTF-8 (other
+///         bytes become U+FFFD); a document of Replace is whole
 std::string write_command(Command const& command);
 
 /// Whether a command suits a document only apply can tell; its indices and ids are those of that document.

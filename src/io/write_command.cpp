@@ -71,7 +71,9 @@ class MemberWriter {
     for (auto const& set : sets) json_[name].push_back(set_json(set));
   }
   void operator()(char const* name, Shared<Picture> const& picture) {
-    if (picture) json_[name] = base64_of(write_png(*picture));
+    if (!picture) return;
+    // One without pixels, which no document takes, is no PNG, and no reader takes it either.
+    json_[name] = picture->values.empty() ? std::string() : base64_of(write_png(*picture));
   }
   void operator()(char const* name, Document const& document) {
     json_[name] = document_json(to_project(document));

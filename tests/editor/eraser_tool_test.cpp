@@ -136,8 +136,17 @@ TEST(EraserTool, LockedAndHiddenLayersStayClosed) {
 
 TEST(EraserTool, InsideOfALayerItOpensNothing) {
   ToolHand hand(Tool::Eraser, with_disc(empty_document(), {500, 500}, 200));
-  hand.drag({500, 500}, {900, 500});
+  hand.drag({500, 500}, {600, 500});
   EXPECT_EQ(hand.entries(), 0);
+}
+
+TEST(EraserTool, OnItsWayItOpensTheFirstLayerThatItMeetsAndNoOther) {
+  auto const two = with_disc(with_disc(empty_document(), {500, 500}, 200), {900, 500}, 100);
+  ToolHand hand(Tool::Eraser, two);
+  hand.drag({600, 500}, {1200, 500});
+  EXPECT_EQ(hand.entries(), 1);
+  EXPECT_TRUE(is_open(hand, 0));
+  EXPECT_FALSE(is_open(hand, 1));
 }
 
 TEST(EraserTool, ALayerWithoutStrokesIsNotOpened) {

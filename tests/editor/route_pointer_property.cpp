@@ -3,6 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "editor/route_pointer.h"
@@ -10,13 +11,20 @@
 namespace inkflate {
 namespace {
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kHostile[] = {std::numeric_limits<double>::quiet_NaN(),
+                               kInfinite,
+                               -kInfinite,
+                               1e300,
+                               -1e300,
+                               0,
+                               -0.0,
+                               1e-300};
+
 /// Mostly what a screen gives, sometimes what it cannot.
 double arbitrary_number() {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  constexpr double kHostile[] = {std::nan(""), kInfinite, -kInfinite, 1e300,
-                                 -1e300,       0,         -0.0,       1e-300};
   int const which = *rc::gen::inRange(0, 80);
-  return which < 8 ? kHostile[which] : *rc::gen::inRange(-100, 1100) / 1.0;
+  return which < std::ssize(kHostile) ? kHostile[which] : *rc::gen::inRange(-100, 1100) / 1.0;
 }
 
 PointerEvent arbitrary_event() {

@@ -24,7 +24,7 @@ TEST(RoutePointer, DragOfTheMouseWorksWithTheTool) {
   person.release(kMouse, 1, {130, 140});
   EXPECT_EQ(person.told(), "PMR");
   for (auto const& each : person.to_tool) EXPECT_EQ(each.tool, Tool::HelpLine);
-  EXPECT_EQ(person.last_pointer().screen, Vec2(130, 140));
+  EXPECT_EQ(person.last_pointer().screen, (Vec2{130, 140}));
   EXPECT_EQ(person.last_pointer().canvas,
             to_canvas(person.view.camera, person.view.size, {130, 140}));
   EXPECT_TRUE(person.state.down.empty());
@@ -131,7 +131,7 @@ TEST(RoutePointer, OtherDragsMoveTheModel) {
     event.action = PointerAction::Move;
     event.screen = {10, 20};
     person.point(event);
-    EXPECT_EQ(person.view.model.pan_px, Vec2(10, 20));
+    EXPECT_EQ(person.view.model.pan_px, (Vec2{10, 20}));
     EXPECT_EQ(person.view.model.turn_rad, 0);
   }
 }
@@ -187,7 +187,7 @@ TEST(RoutePointer, LostReleaseKeepsWhatWasDone) {
   EXPECT_EQ(person.told(), "PMRP");
   auto const* release = std::get_if<ToolRelease>(&person.to_tool[2].event);
   ASSERT_NE(release, nullptr);
-  EXPECT_EQ(release->pointer.screen, Vec2(20, 20));
+  EXPECT_EQ(release->pointer.screen, (Vec2{20, 20}));
 }
 
 TEST(RoutePointer, AnotherButtonTakesOverAndTheOldOnesReleaseMeansNothing) {
@@ -220,14 +220,14 @@ TEST(RoutePointer, PlacesThatAreNoneAreDroppedButNoRelease) {
   person.move(kMouse, 1, {10, kNan});
   person.release(kMouse, 1, {kNan, kNan});
   EXPECT_EQ(person.told(), "PR");
-  EXPECT_EQ(person.last_pointer().screen, Vec2(10, 10));
+  EXPECT_EQ(person.last_pointer().screen, (Vec2{10, 10}));
 }
 
 TEST(RoutePointer, FarPlacesStayOnTheLargestCanvas) {
   Person person;
   person.view.camera.zoom = Camera::kLeastZoom;
   person.press(kMouse, 1, {1e300, -1e300});
-  EXPECT_EQ(person.last_pointer().canvas, Vec2(1e6, -1e6));
+  EXPECT_EQ(person.last_pointer().canvas, (Vec2{1e6, -1e6}));
 }
 
 TEST(RoutePointer, TimeNeverRunsBackwards) {

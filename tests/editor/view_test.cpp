@@ -42,8 +42,8 @@ TEST(Camera, MirroredPaperGoesRightWhereItWentLeft) {
   Camera const camera;
   auto const straight = canvas_to_screen(camera, kSize)(camera.centre + Vec2{10, 20});
   auto const turned = canvas_to_screen(mirrored(camera), kSize)(camera.centre + Vec2{10, 20});
-  EXPECT_EQ(straight, Vec2(410, 320));
-  EXPECT_EQ(turned, Vec2(390, 320));
+  EXPECT_EQ(straight, (Vec2{410, 320}));
+  EXPECT_EQ(turned, (Vec2{390, 320}));
   EXPECT_EQ(mirrored(mirrored(camera)), camera);
 }
 
@@ -73,9 +73,9 @@ TEST(Camera, ZoomStaysWithinItsLimits) {
 
 TEST(Camera, PaperStaysWithinReach) {
   auto const far = panned(Camera(), {1e308, -1e308});
-  EXPECT_EQ(far.centre, Vec2(-1e6, 1e6));
+  EXPECT_EQ(far.centre, (Vec2{-1e6, 1e6}));
   auto const farther = zoomed(far, kSize, {1e308, 1e308}, 0.5);
-  EXPECT_EQ(farther.centre, Vec2(-1e6, -1e6));
+  EXPECT_EQ(farther.centre, (Vec2{-1e6, -1e6}));
 }
 
 TEST(Camera, WhatMeansNothingChangesNothing) {

@@ -18,7 +18,7 @@ StrokeSamples samples_of(Sketch const& sketch) {
 }
 
 TEST(ThinSamples, KeepsApartAndLeavesNothingUncovered) {
-  auto const sketch = sketch_of(overdrawn(circle_stroke({500, 500}, 300), 6, {0.7, 0.4}));
+  auto const sketch = sketch_of(overdrawn(circle_stroke({500, 500}, 100), 6, {0.7, 0.4}));
   auto const samples = samples_of(sketch);
   auto const thin = thin_samples(sketch, samples, 2);
   EXPECT_LT(thin.points.size(), samples.points.size() / 2);

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/random_commands.h"
 
-#include <algorithm>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 
-#include "base/check.h"
-#include "support/random_drawing.h"
+#include "support/random_document.h"
+#include "support/spoil_command.h"
 
 namespace inkflate::test {
 namespace {
-
-constexpr double kSheetPx = 300;
-
-Vec2 point_on_sheet(Rng& rng) { return {rng.uniform(0, kSheetPx), rng.uniform(0, kSheetPx)}; }
 
 Stroke walk(Rng& rng, int group_count) {
   Stroke stroke;
@@ -32,15 +26,6 @@ Stroke walk(Rng& rng, int group_count) {
   stroke.depth = rng.below(3) == 0 ? StrokeDepth::Far : StrokeDepth::Near;
   stroke.group = rng.below(group_count + 1) - 1;
   return stroke;
-}
-
-CloseChoice random_choice(Rng& rng) {
-  CloseChoice choice;
-  if (rng.below(2) == 0) choice.gap_px = rng.uniform(0.5, 50);
-  for (auto* marks : {&choice.outside, &choice.inside}) {
-    for (int i = rng.below(3); i > 0; --i) marks->push_back(point_on_sheet(rng));
-  }
-  return choice;
 }
 
 /// A shape of bent sides that names strokes of the chosen ones.
@@ -243,148 +228,6 @@ class Sensible {
   Document const& document_;
 };
 
-/// Spoils one value or more of a sensible command.
-class Spoiler {
- public:
-  explicit Spoiler(Rng& rng) : rng_(rng) {}
-
-  void spoil(AddStroke& c) {
-    if (rng_.below(4) == 0) c.stroke.samples.clear();
-    for (auto& sample : c.stroke.samples) {
-      spoil(sample.position);
-      spoil(sample.pressure);
-      spoil(sample.time_s);
-    }
-    spoil(c.stroke.width_px);
-    spoil_index(c.stroke.group);
-    spoil(c.layer);
-  }
-  void spoil(EraseArea& c) {
-    spoil_list(c.path);
-    spoil(c.radius_px);
-  }
-  void spoil(EraseStrokes& c) {
-    if (!c.strokes.empty() && rng_.below(3) == 0) c.strokes.push_back(c.strokes.front());
-    for (auto& ref : c.strokes) {
-      spoil_index(ref.index);
-      spoil(ref.layer);
-    }
-  }
-  void spoil(Simplify& c) {
-    if (!c.sets.empty() && rng_.below(4) == 0) c.sets.push_back(c.sets.front());
-    for (auto& set : c.sets) {
-      spoil(set.layer);
-      for (int& stroke : set.strokes) spoil_index(stroke);
-      if (rng_.below(4) == 0) set.shapes.clear();
-      for (auto& shape : set.shapes) spoil(shape);
-    }
-  }
-  void spoil(DeleteLayers& c) { spoil_list(c.layers); }
-  void spoil(DuplicateLayer& c) {
-    spoil(c.layer);
-    spoil(c.offset);
-  }
-  void spoil(SetLayerOrder& c) { spoil_list(c.back_to_front); }
-  void spoil(TransformLayers& c) {
-    spoil_list(c.layers);
-    for (auto* value : {&c.map.a, &c.map.b, &c.map.c, &c.map.d, &c.map.e, &c.map.f}) spoil(*value);
-    if (rng_.below(3) == 0) c.map = Affine::scaling(0, 0);
-  }
-  void spoil(RenameLayer& c) {
-    spoil(c.layer);
-    c.name = rng_.below(2) == 0 ? std::string(300, 'x') : std::string("\xff\xc0\x80");
-  }
-  void spoil(SetThickness& c) {
-    spoil(c.layer);
-    spoil(c.thickness);
-  }
-  void spoil(SetChoice& c) {
-    spoil(c.layer);
-    if (c.choice.gap_px) spoil(*c.choice.gap_px);
-    spoil_list(c.choice.inside);
-  }
-  void spoil(SetTemplate& c) { c.picture = std::make_shared<Picture const>(); }
-  void spoil(SetCanvas& c) {
-    spoil(c.width_px);
-    spoil(c.height_px);
-  }
-  void spoil(AddPin& c) {
-    spoil(c.pin.layer);
-    spoil(c.pin.rest);
-    spoil(c.pin.position);
-  }
-  void spoil(MovePins& c) {
-    spoil_list(c.pins);
-    spoil_list(c.positions);
-  }
-  void spoil(DeletePins& c) { spoil_list(c.pins); }
-  void spoil(SetTrack& c) {
-    spoil(c.track.pin);
-    spoil(c.track.phase_s);
-    for (auto& key : c.track.keys) {
-      spoil(key.time_s);
-      spoil(key.position);
-    }
-  }
-  void spoil(SetClipLength& c) { spoil(c.length_s); }
-  void spoil(Replace& c) { c.document.layers = nullptr; }
-  /// What holds a layer and nothing else that could be wrong.
-  template <typename OfLayer>
-  void spoil(OfLayer& c) {
-    spoil(c.layer);
-  }
-
- private:
-  void spoil(double& value) {
-    double const hostile[] = {0,
-                              -1,
-                              1e300,
-                              -1e300,
-                              1e-300,
-                              1e6 + 1,
-                              std::numeric_limits<double>::quiet_NaN(),
-                              std::numeric_limits<double>::infinity()};
-    if (rng_.below(4) == 0) value = hostile[rng_.below(8)];
-  }
-  void spoil(Vec2& p) {
-    spoil(p.x);
-    spoil(p.y);
-  }
-  void spoil(LayerId& id) { spoil_id(id); }
-  void spoil(PinId& id) { spoil_id(id); }
-  void spoil(Layer& shape) {
-    for (auto* list : {&shape.strokes, &shape.details, &shape.noise}) {
-      for (int& stroke : *list) spoil_index(stroke);
-    }
-    if (rng_.below(4) == 0) shape.outlines.clear();
-    for (auto& outline : shape.outlines) {
-      for (auto& piece : outline.pieces) spoil(piece.curve.control[0]);
-      for (auto& source : outline.sources) spoil_index(source.stroke);
-    }
-    spoil(shape.thickness);
-  }
-
-  template <typename Id>
-  void spoil_id(Id& id) {
-    int number = static_cast<int>(id);
-    spoil_index(number);
-    id = static_cast<Id>(number);
-  }
-  void spoil_index(int& index) {
-    int const hostile[] = {
-        -1, 0, 1'000'000, -7, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
-    if (rng_.below(4) == 0) index = hostile[rng_.below(6)];
-  }
-  template <typename Item>
-  void spoil_list(std::vector<Item>& list) {
-    for (auto& item : list) spoil(item);
-    if (!list.empty() && rng_.below(4) == 0) list.push_back(list.front());
-    if (rng_.below(4) == 0) list.clear();
-  }
-
-  Rng& rng_;
-};
-
 /// The command of this kind, made by make(); loops over the kinds by an index sequence.
 template <std::size_t... Kinds>
 Command sensible_command(Sensible& sensible, int kind, std::index_sequence<Kinds...> /*all*/) {
@@ -398,52 +241,13 @@ Command sensible_command(Sensible& sensible, int kind, std::index_sequence<Kinds
   return command;
 }
 
-/// Pins, a clip and states of the layers for what random_drawing has made.
-void dress(Rng& rng, Project& project) {
-  for (auto& layer : project.drawing.layers) {
-    layer.id = static_cast<LayerId>(project.next_id++);
-    layer.is_open = rng.below(3) == 0;
-    layer.is_locked = rng.below(6) == 0;
-    layer.is_hidden = rng.below(6) == 0;
-    layer.choice = random_choice(rng);
-    if (!layer.details.empty() && rng.below(2) == 0) {
-      layer.noise.push_back(layer.details.back());
-      layer.details.pop_back();
-    }
-  }
-  project.drawing.choice = random_choice(rng);
-  project.clip.length_s = rng.below(2) == 0 ? 0 : rng.uniform(0.5, 5);
-  int const layer_count = static_cast<int>(std::ssize(project.drawing.layers));
-  for (int i = layer_count > 0 ? rng.below(4) : 0; i > 0; --i) {
-    auto const& layer = project.drawing.layers[static_cast<std::size_t>(rng.below(layer_count))];
-    auto const id = static_cast<PinId>(project.next_id++);
-    project.pins.push_back({id, layer.id, rng.below(2) == 0 ? Side::Front : Side::Back,
-                            point_on_sheet(rng), point_on_sheet(rng)});
-    if (rng.below(2) == 0) {
-      project.clip.tracks.push_back({id, {{0, point_on_sheet(rng)}}, rng.uniform(-1, 1)});
-    }
-  }
-  if (rng.below(3) == 0) project.template_picture = Picture(2, 3, Colour{1, 2, 3});
-}
-
 }  // namespace
-
-Document random_document(Rng& rng) {
-  Project project = {random_drawing(rng)};
-  dress(rng, project);
-  auto document = make_document(project);
-  CHECK(document.has_value(), "a random document is a document");
-  return std::move(document).value();
-}
 
 Command random_command(Rng& rng, Document const& document, int kind, Wish wish) {
   Sensible sensible(rng, document);
   auto command =
       sensible_command(sensible, kind, std::make_index_sequence<std::variant_size_v<Command>>());
-  if (wish == Wish::Hostile) {
-    Spoiler spoiler(rng);
-    std::visit([&](auto& one) { spoiler.spoil(one); }, command);
-  }
+  if (wish == Wish::Hostile) spoil_command(rng, command);
   return command;
 }
 

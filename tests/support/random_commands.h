@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <variant>
+
 #include "base/rng.h"
 #include "document/command.h"
 #include "document/document.h"
+#include "support/random_document.h"
 
 namespace inkflate::test {
-
-/// A document with all that a file can hold: open, locked and hidden layers, loose strokes, pins, tracks, a template.
-Document random_document(Rng& rng);
 
 /// What a random command shall be like.
 enum class Wish {

@@ -98,6 +98,17 @@ def run_tidy(unit):
     return [(places, "\n".join(text)) for places, text in findings]
 
 
+def taken_apart(unit, in_the_way):
+    """Smaller units: a few files that are in the way alone, or else, as when two headers do not get on, in halves"""
+    if len(in_the_way) < 4:
+        parts = [[source] for source in unit.sources if source in in_the_way]
+        parts.append([source for source in unit.sources if source not in in_the_way])
+    else:
+        half = len(unit.sources) // 2
+        parts = [unit.sources[:half], unit.sources[half:]]
+    return [Unit(sources) for sources in parts if sources]
+
+
 def look(units, report):
     """Reports what clang-tidy finds and gives the failed sources; units that cannot be one text are taken apart."""
     failed, again = set(), []
@@ -105,9 +116,7 @@ def look(units, report):
         for unit, findings in zip(units, pool.map(run_tidy, units)):
             in_the_way = {source for places, text in findings if CANNOT_COMPILE in text for source in places}
             if in_the_way and len(unit.sources) > 1:
-                again += [Unit([source]) for source in unit.sources if source in in_the_way]
-                rest = [source for source in unit.sources if source not in in_the_way]
-                again += [Unit(rest)] if rest else []
+                again += taken_apart(unit, in_the_way)
                 continue
             for places, text in findings:
                 failed.update(places)

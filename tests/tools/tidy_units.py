@@ -11,8 +11,8 @@ import pathlib
 import re
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
-DECLARATION = re.compile(r"(\w+)\s*(?:[({=;\[]|:(?!:))")
-NO_NAME = re.compile(r"(namespace|template|public|private)\b|[A-Z_0-9]+\(")  # a macro's name collides with nothing
+DECLARATION = re.compile(r"\b(?!operator\b)(\w+)\s*(?:[({=;\[]|:(?!:))")
+NO_NAME = re.compile(r"(namespace|public|private)\b|[A-Z_0-9]+\(")  # a macro's name collides with nothing
 ENTRY_POINTS = re.compile(r'^(?:extern "C" )?int (main|LLVMFuzzerTestOneInput)\(', re.MULTILINE)
 MOST_LINES = 3000  # of a unit: beyond that little more is shared, and a file that spoils it costs more
 
