@@ -17,8 +17,8 @@
 namespace inkflate {
 namespace {
 
-constexpr int kMostEvents = 60;
-constexpr int kMostPresses = 12;  // each may be a stroke, and strokes are what takes time
+constexpr int kMostEvents = 48;
+constexpr int kMostPresses = 8;  // each may be a stroke, and strokes are what takes time
 
 constexpr std::array<char const*, 24> kKeys = {"b", "l",     "e",        "v",      "o",       "h",
                                                "m", "Enter", "Escape",   "Delete", "PageUp",  "End",
