@@ -134,7 +134,7 @@ std::optional<Command> take_named(JsonTaker& take, Json const& json, std::string
                                   std::index_sequence<index...> /*of Command*/) {
   std::optional<Command> found;
   auto const try_one = [&]<typename C>(C command) {
-    if (CommandText<C>::name != name) return false;
+    if (CommandText<C>::kName != name) return false;
     MemberReader reader(take, json);
     CommandText<C>::members(reader, command);
     found = std::move(command);

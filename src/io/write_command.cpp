@@ -90,7 +90,7 @@ Json command_json(Command const& command) {
   Json json;
   std::visit(
       [&]<typename C>(C const& each) {
-        json["command"] = CommandText<C>::name;
+        json["command"] = CommandText<C>::kName;
         MemberWriter writer(json);
         CommandText<C>::members(writer, each);
       },
