@@ -52,12 +52,25 @@ void move_to_places(std::vector<int> const& places, Layer& layer) {
   }
 }
 
+/// The outer outlines of the other parts that are seen: what a limb can be open towards.
+std::vector<Outline> hosts_of(Document const& document, RoughSet const& set) {
+  std::vector<Outline> hosts;
+  for (auto const& layer : *document.layers) {
+    auto const& data = layer->layer;
+    bool const is_host = data.id != set.layer && !data.is_hidden && !data.outlines.empty();
+    if (is_host) hosts.push_back(data.outlines.front());
+  }
+  return hosts;
+}
+
 /// What simplify makes of a set, as a command has it.
 Result<Simplify::Set> close_set(Document const& document, RoughSet const& set,
                                 CloseChoice const& choice, PartNames& names,
                                 Progress const& progress) {
   auto const sketch = set_sketch(document, set);
-  auto drawing = simplify(sketch, set_options(sketch, set, choice), progress);
+  auto options = set_options(sketch, set, choice);
+  options.hosts = hosts_of(document, set);
+  auto drawing = simplify(sketch, options, progress);
   if (!drawing) return drawing.error();
   Simplify::Set result = {set.layer, {}, set.depth, std::move(drawing->layers)};
   if (set.layer == LayerId::None) result.strokes = set.places;

@@ -70,6 +70,24 @@ TEST(CloseDocument, NewPartsGoBeforeOrBehindAllThatAreThere) {
   EXPECT_GT(area(layer_at(document, 1)), area(layer_at(document, 2)));
 }
 
+TEST(CloseDocument, ALimbThatIsOpenTowardsAPartIsClosedWithinIt) {
+  auto const body = simplified(drawn({circle_stroke({500, 500}, 200)}));
+  // A leg: two sides that begin in the body, as wide as they are long, and a foot.
+  auto const leg = line_stroke({{410, 640}, {410, 840}, {590, 840}, {590, 640}});
+  auto const document = simplified(drawn(body, {leg}));
+  ASSERT_EQ(document.layers->size(), 2);
+  auto const& limb = layer_at(document, 1);
+  EXPECT_NEAR(area(limb), 180 * 200, 2500);
+  EXPECT_LT(bounds(flatten(limb.outlines.front(), 0.1)).min.y, 660);
+  // Drawn again, it is closed there again.
+  auto const opened = must(apply(document, OpenLayer{limb.id}));
+  EXPECT_NEAR(area(layer_at(simplified(opened), 1)), area(limb), 500);
+  // What is hidden is nothing to be joined to.
+  auto const hidden = must(apply(drawn(body, {leg}), SetHidden{layer_at(body, 0).id, true}));
+  auto const alone = close_document(hidden);
+  EXPECT_TRUE(!alone->command || area(alone->command->sets[0].shapes[0]) < 0.9 * area(limb));
+}
+
 TEST(CloseDocument, NumbersOfPartsAreNotGivenTwice) {
   auto document = simplified(drawn({circle_stroke({200, 500}, 100)}));
   document = must(apply(document, RenameLayer{layer_at(document, 0).id, "part 2"}));
