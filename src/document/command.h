@@ -28,7 +28,7 @@ struct AddStroke {
       LayerId::None;  // an open layer, at the end of its strokes; None: to the loose ones
 };
 
-/// Rubs out what lies within radius_px of the path, in the loose strokes and in those of the open layers: strokes are cut there.
+/// Rubs out what lies within radius_px of the path, in the loose strokes and in those of layers that take strokes: strokes are cut there.
 /// Pieces keep pressure and time; they start and end where the circle's edge was.
 struct EraseArea {
   Polyline path;         // at least one point

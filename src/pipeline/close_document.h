@@ -27,7 +27,7 @@ struct ClosedDocument {
   int closings = 0;                  // gaps that were closed
 };
 
-/// Runs simplify on what is rough: each open layer by itself, then loose strokes drawn near and loose strokes drawn far, each as one
+/// Runs simplify on what is rough: each layer that takes strokes by itself, then loose strokes drawn near and loose strokes drawn far, each as one
 /// sketch (by its groups, where it has any), with the choices of the document. Limbs that are open towards other parts that are seen are
 /// closed there.
 ///
