@@ -41,7 +41,10 @@ struct CommandText<EraseStrokes> {
 template <>
 struct CommandText<Simplify> {
   static constexpr std::string_view kName = "simplify";
-  static void members(auto& each, auto& command) { each("sets", command.sets); }
+  static void members(auto& each, auto& command) {
+    each("sets", command.sets);
+    each("details", command.details);
+  }
 };
 
 /// Of the commands that have nothing but a layer.

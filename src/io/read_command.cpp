@@ -68,6 +68,7 @@ class MemberReader {
   void operator()(char const* name, Track& value) { value = take_track(take_, member(name)); }
   void operator()(char const* name, std::vector<StrokeRef>& refs);
   void operator()(char const* name, std::vector<Simplify::Set>& sets);
+  void operator()(char const* name, std::vector<Simplify::Details>& details);
   void operator()(char const* name, Shared<Picture>& picture);
   void operator()(char const* name, Document& document);
 
@@ -106,6 +107,14 @@ void MemberReader::operator()(char const* name, std::vector<Simplify::Set>& sets
     for (auto const& shape : take_.list(value, "shapes")) {
       set.shapes.push_back(take_layer(take_, shape, kAnyCount));
     }
+  }
+}
+
+void MemberReader::operator()(char const* name, std::vector<Simplify::Details>& details) {
+  for (auto const& value : take_.list(json_, name)) {
+    take_.enter("details", std::ssize(details));
+    details.push_back({take_id(take_.find(value, "layer"), "layer"),
+                       take_.indices(value, "strokes", 0, kAnyCount)});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "pipeline/lay_details.h"
 #include "pipeline/rough_sets.h"
 #include "simplify/widest_opening.h"
 
@@ -110,17 +111,21 @@ Result<ClosedDocument> close_document(Document const& document, Progress const& 
   PartNames names(document);
   ClosedDocument result;
   Simplify command;
-  for (auto const& set : sets) {
+  for (auto set : sets) {
     auto closed = close_set(document, set, set_choice(document, set), names, progress);
     if (!closed && closed.error().code == ErrorCode::Cancelled) return closed.error();
-    if (!closed) {
-      result.faults.push_back(fault_of(document, set, closed.error()));
+    if (closed) {
+      result.details += lay_details(document, set, *closed, command.details);
+      result.closings += count_closings(closed->shapes);
+      command.sets.push_back(*std::move(closed));
       continue;
     }
-    result.closings += count_closings(closed->shapes);
-    command.sets.push_back(*std::move(closed));
+    if (closed.error().code == ErrorCode::NothingThere) {
+      result.details += lay_details(document, set, command.details);
+    }
+    if (!set.places.empty()) result.faults.push_back(fault_of(document, set, closed.error()));
   }
-  if (!command.sets.empty()) result.command = std::move(command);
+  if (!command.sets.empty() || !command.details.empty()) result.command = std::move(command);
   return result;
 }
 

@@ -25,11 +25,13 @@ struct ClosedDocument {
   std::optional<Simplify> command;   // none: nothing could be closed
   std::vector<ClosingFault> faults;  // sets of strokes that stay as they are
   int closings = 0;                  // gaps that were closed
+  int details = 0;                   // loose strokes that go to the closed layers that they lie on
 };
 
-/// Runs simplify on what is rough: each layer that takes strokes by itself, then loose strokes drawn near and loose strokes drawn far, each as one
-/// sketch (by its groups, where it has any), with the choices of the document. Limbs that are open towards other parts that are seen are
-/// closed there.
+/// Runs simplify on what is rough: each layer that takes strokes by itself, then loose strokes drawn near and loose strokes drawn
+/// far, each as one sketch (by its groups, where it has any), with the choices of the document. Limbs that are open towards other parts
+/// that are seen are closed there. Loose strokes that draw no shape become details of the closed layers that they lie on; only
+/// what lies on none is noise, or a fault.
 ///
 /// errors  NothingThere (nothing is rough), Cancelled
 /// cost    that of simplify
