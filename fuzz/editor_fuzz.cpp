@@ -17,8 +17,8 @@
 namespace inkflate {
 namespace {
 
-constexpr int kMostEvents = 60;
-constexpr int kMostPresses = 12;  // each may be a stroke, and strokes are what takes time
+constexpr int kMostEvents = 48;
+constexpr int kMostPresses = 8;  // each may be a stroke, and strokes are what takes time
 
 constexpr std::array<char const*, 24> kKeys = {"b", "l",     "e",        "v",      "o",       "h",
                                                "m", "Enter", "Escape",   "Delete", "PageUp",  "End",
@@ -151,9 +151,8 @@ void check_document(Document const& document) {
   CHECK(again.has_value(), "a document's project is a document");
   CHECK(to_project(*again) == project, "and the same one");
   project.template_picture.reset();  // lies beside the document
-  DocumentFile const file = {std::move(project), {}};
-  auto const read = read_document_json(write_document_json(file));
-  CHECK(read.has_value() && *read == file, "a document reads as it was written");
+  auto const read = read_document_json(write_document_json(project));
+  CHECK(read.has_value() && read->project == project, "a document reads as it was written");
 }
 
 /// All the way back and forth again.

@@ -90,7 +90,7 @@ std::optional<Error> Replay::do_step(SaveStep const& step) {
   auto const format = drawing_format(step.name);
   if (!format) return format.error();
   if (options_.files.empty()) return std::nullopt;
-  return write_drawing(to_project(engine_.document()), *format,
+  return write_drawing(to_project(engine_.history().document()), *format,
                        in_folder(options_.files, step.name));
 }
 
@@ -115,6 +115,7 @@ std::optional<Error> Replay::take(Changes const& changes) {
                                         : journal.append(changes.journal);
     if (error) return error;
   }
+  if (!changes.journal.empty()) acknowledged_hash_.clear();
   if (changes.is_journal_new) journal_lines_ = 0;
   journal_lines_ +=
       static_cast<int>(std::count(changes.journal.begin(), changes.journal.end(), '\n'));
@@ -149,7 +150,9 @@ std::optional<Error> Replay::keep_step() {
 
 /// "STEP LINES HASH": so many steps are done, so many lines of the journal are on the disk, and what they lead to.
 void Replay::acknowledge() {
-  print(std::to_string(steps_) + " " + std::to_string(journal_lines_) + " " + hash() + "\n");
+  if (acknowledged_hash_.empty()) acknowledged_hash_ = hash();
+  print(std::to_string(steps_) + " " + std::to_string(journal_lines_) + " " + acknowledged_hash_ +
+        "\n");
 }
 
 }  // namespace inkflate::cli

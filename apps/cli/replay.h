@@ -70,10 +70,10 @@ class Replay {
   ReplayOptions options_;
   Engine engine_;
   std::vector<std::string> messages_;
-  int steps_ = 0;          // that were run
-  int changes_ = 0;        // of the document, that were kept
-  int journal_lines_ = 0;  // that this run has written
-  std::string acknowledged_hash_;
+  int steps_ = 0;                  // that were run
+  int changes_ = 0;                // of the document, that were kept
+  int journal_lines_ = 0;          // that this run has written
+  std::string acknowledged_hash_;  // of the document as it is; empty: not known yet
 };
 
 }  // namespace inkflate::cli

@@ -110,7 +110,8 @@ std::optional<Error> write_shown_model(Document const& document, ModelFormat for
   auto const drawing = shown_drawing(document);
   auto const model = run_inflate(drawing);
   if (!model) return model.error();
-  auto const texture = bake_texture(drawing, *model);
+  auto const& picture = document.template_picture;
+  auto const texture = picture ? wear_picture(*picture, *model) : bake_texture(drawing, *model);
   return write_model(*model, &texture, drawing, format, path);
 }
 

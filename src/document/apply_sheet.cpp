@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdint>
 
+#include "document/apply.h"
 #include "document/apply_one.h"
 #include "document/check_values.h"
 #include "document/edit_layer.h"
@@ -47,6 +48,13 @@ Result<Document> apply_one(Document const& /*document*/, Replace const& command)
   auto const& next = command.document;
   bool const is_whole = next.groups && next.choice && next.layers && next.pins && next.clip;
   if (!is_whole) return Error{ErrorCode::BadInput, "a document that lacks a part"};
+  bool const fits = stroke_count(next) <= DocumentLimits::kStrokes &&
+                    std::ssize(*next.layers) <= DocumentLimits::kLayers &&
+                    std::ssize(*next.pins) <= DocumentLimits::kPins &&
+                    next.next_id <= DocumentLimits::kIds;
+  if (!fits) {
+    return Error{ErrorCode::TooLarge, "more than 1 000 000 strokes, 1024 layers or 1024 pins"};
+  }
   return next;
 }
 

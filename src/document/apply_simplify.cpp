@@ -20,6 +20,19 @@ Error bad_input(std::string message, long long index = -1) {
   return {ErrorCode::BadInput, std::move(message), index};
 }
 
+/// What is wrong with a choice of loose strokes.
+Fault choice_of_strokes_fault(std::vector<int> const& strokes, int stroke_count) {
+  if (strokes.empty()) return Error{ErrorCode::NothingThere, "no stroke to simplify"};
+  int before = -1;
+  for (int const stroke : strokes) {
+    if (stroke <= before || stroke >= stroke_count) {
+      return bad_input("strokes to simplify that are not there or do not ascend", stroke);
+    }
+    before = stroke;
+  }
+  return {};
+}
+
 /// Which strokes of a list of this length a set takes; as claims, one for each stroke.
 Result<std::vector<bool>> chosen_strokes(Simplify::Set const& set, int stroke_count) {
   std::vector<bool> is_chosen(static_cast<std::size_t>(stroke_count), set.layer != LayerId::None);
@@ -27,15 +40,8 @@ Result<std::vector<bool>> chosen_strokes(Simplify::Set const& set, int stroke_co
     if (!set.strokes.empty()) return bad_input("a layer is simplified with all of its strokes");
     return is_chosen;
   }
-  if (set.strokes.empty()) return Error{ErrorCode::NothingThere, "no stroke to simplify"};
-  int before = -1;
-  for (int const stroke : set.strokes) {
-    if (stroke <= before || stroke >= stroke_count) {
-      return bad_input("strokes to simplify that are not there or do not ascend", stroke);
-    }
-    is_chosen[static_cast<std::size_t>(stroke)] = true;
-    before = stroke;
-  }
+  if (auto const fault = choice_of_strokes_fault(set.strokes, stroke_count)) return *fault;
+  for (int const stroke : set.strokes) is_chosen[static_cast<std::size_t>(stroke)] = true;
   return is_chosen;
 }
 
@@ -76,6 +82,26 @@ class Simplifying {
     return set.layer == LayerId::None ? add_loose(set) : add_layer(set);
   }
 
+  Fault add(Simplify::Details const& details) {
+    if (auto const fault = choice_of_strokes_fault(details.strokes, before_.loose.size())) {
+      return fault;
+    }
+    auto const place = layer_place(before_, details.layer, Reach::Unlocked);
+    if (!place) return place.error();
+    if ((*before_.layers)[*place]->layer.is_open) {
+      return bad_input("details for a layer that is open", static_cast<int>(details.layer));
+    }
+    if (auto const fault = take(details.strokes)) return fault;
+    auto const here = place_now(details.layer);
+    auto layer = **here;
+    for (int const stroke : details.strokes) {
+      layer.layer.details.push_back(layer.strokes.size());
+      layer.strokes = layer.strokes.with_pushed(before_.loose[stroke]);
+    }
+    *here = std::make_shared<DocumentLayer const>(std::move(layer));
+    return {};
+  }
+
   Result<Document> finish() && {
     if (std::ssize(layers_) > Limits::kLayers) {
       return Error{ErrorCode::TooLarge, "more than 1024 layers; simplify fewer strokes at once"};
@@ -97,6 +123,21 @@ class Simplifying {
   }
 
  private:
+  /// Loose strokes leave for a layer.
+  Fault take(std::vector<int> const& strokes) {
+    for (int const stroke : strokes) {
+      if (!taken_.insert(stroke).second) return bad_input("a stroke is in two sets", stroke);
+    }
+    return {};
+  }
+
+  /// Where a layer of before is among those of now.
+  LayerList::iterator place_now(LayerId id) {
+    auto here = layers_.begin();
+    while ((*here)->layer.id != id) ++here;
+    return here;
+  }
+
   /// Layers of their own, made of the shapes; closed, unlocked, each with a new id.
   Result<LayerList> made_layers(Simplify::Set const& set, StrokeList const& strokes) {
     auto is_chosen = chosen_strokes(set, strokes.size());
@@ -117,9 +158,7 @@ class Simplifying {
   Fault add_loose(Simplify::Set const& set) {
     auto const made = made_layers(set, before_.loose);
     if (!made) return made.error();
-    for (int const stroke : set.strokes) {
-      if (!taken_.insert(stroke).second) return bad_input("a stroke is in two sets", stroke);
-    }
+    if (auto const fault = take(set.strokes)) return fault;
     auto const place = set.depth == StrokeDepth::Far ? layers_.begin() : layers_.end();
     layers_.insert(place, made->begin(), made->end());
     return {};
@@ -143,9 +182,7 @@ class Simplifying {
     first.layer.thickness = old->layer.thickness;
     first.layer.is_hidden = old->layer.is_hidden;
     made->front() = std::make_shared<DocumentLayer const>(std::move(first));
-    auto here = layers_.begin();
-    while ((*here)->layer.id != set.layer) ++here;
-    here = layers_.erase(here);
+    auto const here = layers_.erase(place_now(set.layer));
     layers_.insert(here, made->begin(), made->end());
     return {};
   }
@@ -160,10 +197,15 @@ class Simplifying {
 }  // namespace
 
 Result<Document> apply_one(Document const& document, Simplify const& command) {
-  if (command.sets.empty()) return Error{ErrorCode::NothingThere, "nothing to simplify"};
+  if (command.sets.empty() && command.details.empty()) {
+    return Error{ErrorCode::NothingThere, "nothing to simplify"};
+  }
   Simplifying simplifying(document);
   for (auto const& set : command.sets) {
     if (auto const fault = simplifying.add(set)) return *fault;
+  }
+  for (auto const& details : command.details) {
+    if (auto const fault = simplifying.add(details)) return *fault;
   }
   return std::move(simplifying).finish();
 }

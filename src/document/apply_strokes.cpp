@@ -95,7 +95,7 @@ Result<Document> apply_one(Document const& document, EraseArea const& command) {
   }
   for (std::size_t i = 0; i < document.layers->size(); ++i) {
     auto const& layer = *(*document.layers)[i];
-    if (!layer.layer.is_open || layer.layer.is_locked) continue;
+    if (!takes_strokes(layer.layer)) continue;
     auto const changes = cuts(layer.strokes, swept);
     if (changes.empty()) continue;
     is_met = true;

@@ -28,7 +28,7 @@ struct AddStroke {
       LayerId::None;  // an open layer, at the end of its strokes; None: to the loose ones
 };
 
-/// Rubs out what lies within radius_px of the path, in the loose strokes and in those of the open layers: strokes are cut there.
+/// Rubs out what lies within radius_px of the path, in the loose strokes and in those of layers that take strokes: strokes are cut there.
 /// Pieces keep pressure and time; they start and end where the circle's edge was.
 struct EraseArea {
   Polyline path;         // at least one point
@@ -49,7 +49,14 @@ struct Simplify {
         shapes;  // at least one. Their strokes, details, noise and sources are indices into the list that the strokes
                  // are in now. Strokes of the set that no shape names become noise of the first
   };
-  std::vector<Set> sets;  // at least one; each layer once, each loose stroke at most once
+  /// Loose strokes that enclose nothing, drawn on a closed layer: whiskers on a face.
+  struct Details {
+    LayerId layer = LayerId::None;  // closed and unlocked; they go to the end of its strokes
+    std::vector<int> strokes;       // which of the loose ones: at least one, ascending
+  };
+  std::vector<Set> sets;  // each layer once, each loose stroke at most once
+  std::vector<Details> details =
+      {};  // of the loose strokes that no set has; with the sets at least one in all
 };
 // The first shape of an open layer keeps its id, name, fill, thickness, visibility and place; further ones lie just before it. All choices
 // are those with which the strokes were closed; the document's own loses its marks when no loose stroke remains.

@@ -75,6 +75,10 @@ bool is_blank(Document const& document) {
          *document.choice == CloseChoice{};
 }
 
+bool takes_strokes(Layer const& layer) {
+  return layer.is_open && !layer.is_hidden && !layer.is_locked;
+}
+
 DocumentLayer const* find_layer(Document const& document, LayerId id) {
   auto const index = layer_index(document, id);
   return index ? (*document.layers)[static_cast<std::size_t>(*index)].get() : nullptr;

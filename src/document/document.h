@@ -69,6 +69,9 @@ Drawing shown_drawing(Document const& document);
 /// Nothing in it was made by hand.
 bool is_blank(Document const& document);
 
+/// Whether strokes are drawn and rubbed out in a layer by hand, and closed anew: it is open, seen and not locked.
+bool takes_strokes(Layer const& layer);
+
 /// Null or none when there is no such layer.
 DocumentLayer const* find_layer(Document const& document, LayerId id);
 /// Its place in the order from back to front.

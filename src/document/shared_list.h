@@ -80,12 +80,12 @@ class SharedList {
 template <typename T>
 template <typename Entry, typename Take>
 void SharedList<T>::cut(std::vector<Entry> const& whole, Cut how, Take take) {
-  std::size_t constexpr kMost = detail::kNodeEntries;
-  std::size_t const parts = (whole.size() + kMost - 1) / kMost;
+  std::size_t constexpr most = detail::kNodeEntries;
+  std::size_t const parts = (whole.size() + most - 1) / most;
   std::span<Entry const> rest = whole;
   for (std::size_t i = 0; i < parts; ++i) {
     std::size_t const even = (rest.size() + parts - i - 1) / (parts - i);
-    std::size_t const count = how == Cut::Even ? even : (rest.size() < kMost ? rest.size() : kMost);
+    std::size_t const count = how == Cut::Even ? even : (rest.size() < most ? rest.size() : most);
     take(rest.first(count));
     rest = rest.subspan(count);
   }

@@ -49,7 +49,9 @@ inline bool drop_owner(SharedNode& node) {
 /// Memory for a node with room for its entries.
 template <typename Entry>
 SharedNode* allocate_node(std::size_t count, int level) {
-  auto* const node = new (::operator new(kEntriesOffsetBytes + count * sizeof(Entry))) SharedNode;
+  // Entries of inner nodes are pointers indeed. NOLINTNEXTLINE(bugprone-sizeof-expression)
+  std::size_t const entry_bytes = sizeof(Entry);
+  auto* const node = new (::operator new(kEntriesOffsetBytes + count * entry_bytes)) SharedNode;
   node->count = static_cast<std::uint8_t>(count);
   node->level = static_cast<std::uint8_t>(level);
   return node;

@@ -97,7 +97,7 @@ LayerId layer_to_draw_on(Document const& document, View const& view) {
   int selected_count = 0;
   for (auto const& kept : *document.layers) {
     auto const& layer = kept->layer;
-    if (!layer.is_open || layer.is_hidden || layer.is_locked) continue;
+    if (!takes_strokes(layer)) continue;
     topmost = layer.id;
     if (!is_selected(view, layer.id)) continue;
     selected = layer.id;

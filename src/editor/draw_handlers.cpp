@@ -15,7 +15,11 @@ void say_faults(EditorTurn& turn, std::vector<ClosingFault> const& faults) {
   for (auto const& fault : faults) {
     Rect place;
     place.include(fault.place);
-    say(turn, Severity::Problem, Word::NotClosed, {fault.error.message}, place);
+    if (fault.error.code == ErrorCode::NothingThere) {
+      say(turn, Severity::Problem, Word::NotClosed, {}, place);
+    } else {
+      say(turn, Severity::Problem, Word::CannotDo, {fault.error.message}, place);
+    }
   }
 }
 
@@ -190,9 +194,13 @@ void simplify_document(EditorTurn& turn) {
     return say(turn, Severity::Warning, Word::NothingRough);
   }
   if (closed->command) {
+    bool const is_closing = !closed->command->sets.empty();
     bool const is_done =
         commit(turn, std::vector<Command>{std::move(*closed->command)}, "simplify");
-    if (is_done) say_closed(turn, closed->closings);
+    if (is_done && is_closing) say_closed(turn, closed->closings);
+    if (is_done && closed->details > 0) {
+      say(turn, Severity::Status, Word::LaidOnParts, {std::to_string(closed->details)});
+    }
   }
   say_faults(turn, closed->faults);
 }

@@ -59,7 +59,13 @@ LayerId named_layer(EditorTurn const& turn) {
 void duplicate_at(EditorTurn& turn, OrderEnd end, std::string_view action) {
   auto const layer = named_layer(turn);
   if (layer == LayerId::None) return say(turn, Severity::Warning, Word::NothingSelected);
-  commit_if(turn, duplicate_or_remove(turn.state.history.document(), layer, end), action);
+  auto const& history = turn.state.history;
+  auto const count = history.document().layers->size();
+  if (!commit_if(turn, duplicate_or_remove(history.document(), layer, end), action)) return;
+  // The copy lies exactly on its original: without a word nothing seems to have happened.
+  bool const is_made = history.document().layers->size() > count;
+  auto const made = end == OrderEnd::Back ? Word::CopiedBehind : Word::CopiedBefore;
+  say(turn, Severity::Status, is_made ? made : Word::CopyRemoved);
 }
 
 void select_all(EditorTurn& turn) {

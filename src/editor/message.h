@@ -23,6 +23,10 @@ enum class Word {
   // Status
   ClosedGaps,  // {0}: how many
   ClosedNoGap,
+  LaidOnParts,  // {0}: how many strokes
+  CopiedBehind,
+  CopiedBefore,
+  CopyRemoved,
   Opened,  // {0}: a file's name
   Saved,
   Exported,
@@ -31,7 +35,7 @@ enum class Word {
   Redone,
   // Warnings and problems
   NothingRough,  // Simplify without loose strokes
-  NotClosed,     // {0}: a reason
+  NotClosed,
   NothingToInflate,
   NothingSelected,
   LayerLocked,  // {0}: its name

@@ -68,6 +68,8 @@ Rect box_of(Document const& document) {
   for (auto const& layer : *document.layers) {
     if (layer->layer.is_hidden) continue;
     box = united(box, layer_box(*layer));
+    // Whiskers stick out.
+    for (int const detail : layer->layer.details) box = united(box, layer->strokes[detail]->box);
     if (!layer->layer.is_open) continue;
     layer->strokes.for_each([&](auto const& stroke) { box = united(box, stroke->box); });
   }

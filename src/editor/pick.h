@@ -46,7 +46,7 @@ std::optional<FrameHandle> pick_handle(Frame const& frame, View const& view, Vec
 
 /// Strokes of a list whose line passes within radius_px of a stretch; indices, ascending.
 std::vector<int> strokes_near(StrokeList const& strokes, Vec2 from, Vec2 to, double radius_px);
-/// The same for rough strokes: the loose ones, then those of the open layers that can be picked, back to front.
+/// The same for rough strokes: the loose ones, then those of layers that take strokes, back to front.
 std::vector<StrokeRef> strokes_near(Document const& document, Vec2 from, Vec2 to, double radius_px);
 
 }  // namespace inkflate

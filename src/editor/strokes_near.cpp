@@ -59,7 +59,7 @@ std::vector<StrokeRef> strokes_near(Document const& document, Vec2 from, Vec2 to
   };
   add(LayerId::None, document.loose);
   for (auto const& layer : *document.layers) {
-    if (layer->layer.is_open && is_pickable(*layer)) add(layer->layer.id, layer->strokes);
+    if (takes_strokes(layer->layer)) add(layer->layer.id, layer->strokes);
   }
   return found;
 }

@@ -22,6 +22,16 @@ constexpr WordText kTexts[] = {
      "Uzavřena {0} mezera.|Uzavřeny {0} mezery.|Uzavřeno {0} mezer."},
     {Word::ClosedNoGap, "Simplified. There was no gap to close.",
      "Zjednodušeno. Žádná mezera k uzavření tu nebyla."},
+    {Word::LaidOnParts,
+     "{0} line now belongs to the part that it lies on.|{0} lines now belong to the parts that "
+     "they "
+     "lie on.",
+     "{0} čára teď patří k části, na které leží.|{0} čáry teď patří k částem, na kterých leží.|{0} "
+     "čar "
+     "teď patří k částem, na kterých leží."},
+    {Word::CopiedBehind, "A copy lies behind all parts.", "Kopie leží za všemi částmi."},
+    {Word::CopiedBefore, "A copy lies in front of all parts.", "Kopie leží před všemi částmi."},
+    {Word::CopyRemoved, "The copy is gone.", "Kopie je pryč."},
     {Word::Opened, "Opened {0}.", "Otevřeno: {0}."},
     {Word::Saved, "Saved.", "Uloženo."},
     {Word::Exported, "Exported.", "Exportováno."},
@@ -31,8 +41,8 @@ constexpr WordText kTexts[] = {
     {Word::Redone, "Redone: {action}.", "Provedeno znovu: {action}."},
     {Word::NothingRough, "There are no loose lines to simplify. Draw some first.",
      "Nejsou tu žádné volné čáry ke zjednodušení. Nejdřív něco nakreslete."},
-    {Word::NotClosed, "This part is open here: draw a help line or allow larger gaps. ({0})",
-     "Tady je část otevřená: nakreslete pomocnou čáru nebo povolte větší mezery. ({0})"},
+    {Word::NotClosed, "This part is open here: draw a help line or allow larger gaps.",
+     "Tady je část otevřená: nakreslete pomocnou čáru nebo povolte větší mezery."},
     {Word::NothingToInflate, "There is no part to inflate yet. Draw a shape and simplify it.",
      "Zatím není co nafouknout. Nakreslete tvar a zjednodušte ho."},
     {Word::NothingSelected, "Select a part first.", "Nejdřív vyberte část."},

@@ -16,7 +16,7 @@ inline std::string_view word(OrderEnd end) { return end == OrderEnd::Back ? "bac
 
 template <>
 struct CommandText<AddStroke> {
-  static constexpr std::string_view name = "add_stroke";
+  static constexpr std::string_view kName = "add_stroke";
   static void members(auto& each, auto& command) {
     each("layer", command.layer);
     each("stroke", command.stroke);
@@ -25,7 +25,7 @@ struct CommandText<AddStroke> {
 
 template <>
 struct CommandText<EraseArea> {
-  static constexpr std::string_view name = "erase_area";
+  static constexpr std::string_view kName = "erase_area";
   static void members(auto& each, auto& command) {
     each("radius", command.radius_px);
     each("path", command.path);
@@ -34,14 +34,17 @@ struct CommandText<EraseArea> {
 
 template <>
 struct CommandText<EraseStrokes> {
-  static constexpr std::string_view name = "erase_strokes";
+  static constexpr std::string_view kName = "erase_strokes";
   static void members(auto& each, auto& command) { each("strokes", command.strokes); }
 };
 
 template <>
 struct CommandText<Simplify> {
-  static constexpr std::string_view name = "simplify";
-  static void members(auto& each, auto& command) { each("sets", command.sets); }
+  static constexpr std::string_view kName = "simplify";
+  static void members(auto& each, auto& command) {
+    each("sets", command.sets);
+    each("details", command.details);
+  }
 };
 
 /// Of the commands that have nothing but a layer.
@@ -50,26 +53,26 @@ struct LayerMember {
 };
 template <>
 struct CommandText<OpenLayer> : LayerMember {
-  static constexpr std::string_view name = "open_layer";
+  static constexpr std::string_view kName = "open_layer";
 };
 template <>
 struct CommandText<RedrawLayer> : LayerMember {
-  static constexpr std::string_view name = "redraw_layer";
+  static constexpr std::string_view kName = "redraw_layer";
 };
 template <>
 struct CommandText<CloseLayer> : LayerMember {
-  static constexpr std::string_view name = "close_layer";
+  static constexpr std::string_view kName = "close_layer";
 };
 
 template <>
 struct CommandText<DeleteLayers> {
-  static constexpr std::string_view name = "delete_layers";
+  static constexpr std::string_view kName = "delete_layers";
   static void members(auto& each, auto& command) { each("layers", command.layers); }
 };
 
 template <>
 struct CommandText<DuplicateLayer> {
-  static constexpr std::string_view name = "duplicate_layer";
+  static constexpr std::string_view kName = "duplicate_layer";
   static void members(auto& each, auto& command) {
     each("layer", command.layer);
     each("end", command.end);
@@ -79,13 +82,13 @@ struct CommandText<DuplicateLayer> {
 
 template <>
 struct CommandText<SetLayerOrder> {
-  static constexpr std::string_view name = "set_layer_order";
+  static constexpr std::string_view kName = "set_layer_order";
   static void members(auto& each, auto& command) { each("layers", command.back_to_front); }
 };
 
 template <>
 struct CommandText<TransformLayers> {
-  static constexpr std::string_view name = "transform_layers";
+  static constexpr std::string_view kName = "transform_layers";
   static void members(auto& each, auto& command) {
     each("layers", command.layers);
     each("map", command.map);
@@ -94,7 +97,7 @@ struct CommandText<TransformLayers> {
 
 template <>
 struct CommandText<RenameLayer> {
-  static constexpr std::string_view name = "rename_layer";
+  static constexpr std::string_view kName = "rename_layer";
   static void members(auto& each, auto& command) {
     each("layer", command.layer);
     each("name", command.name);
@@ -103,7 +106,7 @@ struct CommandText<RenameLayer> {
 
 template <>
 struct CommandText<SetThickness> {
-  static constexpr std::string_view name = "set_thickness";
+  static constexpr std::string_view kName = "set_thickness";
   static void members(auto& each, auto& command) {
     each("layer", command.layer);
     each("thickness", command.thickness);
@@ -112,7 +115,7 @@ struct CommandText<SetThickness> {
 
 template <>
 struct CommandText<SetFill> {
-  static constexpr std::string_view name = "set_fill";
+  static constexpr std::string_view kName = "set_fill";
   static void members(auto& each, auto& command) {
     each("layer", command.layer);
     each("fill", command.fill);
@@ -121,7 +124,7 @@ struct CommandText<SetFill> {
 
 template <>
 struct CommandText<SetHidden> {
-  static constexpr std::string_view name = "set_hidden";
+  static constexpr std::string_view kName = "set_hidden";
   static void members(auto& each, auto& command) {
     each("layer", command.layer);
     each("hidden", command.is_hidden);
@@ -130,7 +133,7 @@ struct CommandText<SetHidden> {
 
 template <>
 struct CommandText<SetLocked> {
-  static constexpr std::string_view name = "set_locked";
+  static constexpr std::string_view kName = "set_locked";
   static void members(auto& each, auto& command) {
     each("layer", command.layer);
     each("locked", command.is_locked);
@@ -139,7 +142,7 @@ struct CommandText<SetLocked> {
 
 template <>
 struct CommandText<SetChoice> {
-  static constexpr std::string_view name = "set_choice";
+  static constexpr std::string_view kName = "set_choice";
   static void members(auto& each, auto& command) {
     each("layer", command.layer);
     each("choice", command.choice);
@@ -148,13 +151,13 @@ struct CommandText<SetChoice> {
 
 template <>
 struct CommandText<SetTemplate> {
-  static constexpr std::string_view name = "set_template";
+  static constexpr std::string_view kName = "set_template";
   static void members(auto& each, auto& command) { each("picture", command.picture); }
 };
 
 template <>
 struct CommandText<SetCanvas> {
-  static constexpr std::string_view name = "set_canvas";
+  static constexpr std::string_view kName = "set_canvas";
   static void members(auto& each, auto& command) {
     each("width", command.width_px);
     each("height", command.height_px);
@@ -163,13 +166,13 @@ struct CommandText<SetCanvas> {
 
 template <>
 struct CommandText<AddPin> {
-  static constexpr std::string_view name = "add_pin";
+  static constexpr std::string_view kName = "add_pin";
   static void members(auto& each, auto& command) { each("pin", command.pin); }
 };
 
 template <>
 struct CommandText<MovePins> {
-  static constexpr std::string_view name = "move_pins";
+  static constexpr std::string_view kName = "move_pins";
   static void members(auto& each, auto& command) {
     each("pins", command.pins);
     each("positions", command.positions);
@@ -178,25 +181,25 @@ struct CommandText<MovePins> {
 
 template <>
 struct CommandText<DeletePins> {
-  static constexpr std::string_view name = "delete_pins";
+  static constexpr std::string_view kName = "delete_pins";
   static void members(auto& each, auto& command) { each("pins", command.pins); }
 };
 
 template <>
 struct CommandText<SetTrack> {
-  static constexpr std::string_view name = "set_track";
+  static constexpr std::string_view kName = "set_track";
   static void members(auto& each, auto& command) { each("track", command.track); }
 };
 
 template <>
 struct CommandText<SetClipLength> {
-  static constexpr std::string_view name = "set_clip_length";
+  static constexpr std::string_view kName = "set_clip_length";
   static void members(auto& each, auto& command) { each("length", command.length_s); }
 };
 
 template <>
 struct CommandText<Replace> {
-  static constexpr std::string_view name = "replace";
+  static constexpr std::string_view kName = "replace";
   static void members(auto& each, auto& command) { each("document", command.document); }
 };
 

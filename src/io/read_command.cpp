@@ -68,6 +68,7 @@ class MemberReader {
   void operator()(char const* name, Track& value) { value = take_track(take_, member(name)); }
   void operator()(char const* name, std::vector<StrokeRef>& refs);
   void operator()(char const* name, std::vector<Simplify::Set>& sets);
+  void operator()(char const* name, std::vector<Simplify::Details>& details);
   void operator()(char const* name, Shared<Picture>& picture);
   void operator()(char const* name, Document& document);
 
@@ -109,6 +110,14 @@ void MemberReader::operator()(char const* name, std::vector<Simplify::Set>& sets
   }
 }
 
+void MemberReader::operator()(char const* name, std::vector<Simplify::Details>& details) {
+  for (auto const& value : take_.list(json_, name)) {
+    take_.enter("details", std::ssize(details));
+    details.push_back({take_id(take_.find(value, "layer"), "layer"),
+                       take_.indices(value, "strokes", 0, kAnyCount)});
+  }
+}
+
 void MemberReader::operator()(char const* name, Shared<Picture>& picture) {
   auto const* const found = take_.find(json_, name);
   if (found == nullptr) return;
@@ -134,7 +143,7 @@ std::optional<Command> take_named(JsonTaker& take, Json const& json, std::string
                                   std::index_sequence<index...> /*of Command*/) {
   std::optional<Command> found;
   auto const try_one = [&]<typename C>(C command) {
-    if (CommandText<C>::name != name) return false;
+    if (CommandText<C>::kName != name) return false;
     MemberReader reader(take, json);
     CommandText<C>::members(reader, command);
     found = std::move(command);

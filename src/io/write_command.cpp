@@ -70,6 +70,11 @@ class MemberWriter {
     json_[name] = Json::array();
     for (auto const& set : sets) json_[name].push_back(set_json(set));
   }
+  void operator()(char const* name, std::vector<Simplify::Details> const& details) {
+    for (auto const& [layer, strokes] : details) {
+      json_[name].push_back({{"layer", static_cast<int>(layer)}, {"strokes", strokes}});
+    }
+  }
   void operator()(char const* name, Shared<Picture> const& picture) {
     if (!picture) return;
     // One without pixels, which no document takes, is no PNG, and no reader takes it either.
@@ -90,7 +95,7 @@ Json command_json(Command const& command) {
   Json json;
   std::visit(
       [&]<typename C>(C const& each) {
-        json["command"] = CommandText<C>::name;
+        json["command"] = CommandText<C>::kName;
         MemberWriter writer(json);
         CommandText<C>::members(writer, each);
       },

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "pipeline/lay_details.h"
 #include "pipeline/rough_sets.h"
 #include "simplify/widest_opening.h"
 
@@ -52,12 +53,25 @@ void move_to_places(std::vector<int> const& places, Layer& layer) {
   }
 }
 
+/// The outer outlines of the other parts that are seen: what a limb can be open towards.
+std::vector<Outline> hosts_of(Document const& document, RoughSet const& set) {
+  std::vector<Outline> hosts;
+  for (auto const& layer : *document.layers) {
+    auto const& data = layer->layer;
+    bool const is_host = data.id != set.layer && !data.is_hidden && !data.outlines.empty();
+    if (is_host) hosts.push_back(data.outlines.front());
+  }
+  return hosts;
+}
+
 /// What simplify makes of a set, as a command has it.
 Result<Simplify::Set> close_set(Document const& document, RoughSet const& set,
                                 CloseChoice const& choice, PartNames& names,
                                 Progress const& progress) {
   auto const sketch = set_sketch(document, set);
-  auto drawing = simplify(sketch, set_options(sketch, set, choice), progress);
+  auto options = set_options(sketch, set, choice);
+  options.hosts = hosts_of(document, set);
+  auto drawing = simplify(sketch, options, progress);
   if (!drawing) return drawing.error();
   Simplify::Set result = {set.layer, {}, set.depth, std::move(drawing->layers)};
   if (set.layer == LayerId::None) result.strokes = set.places;
@@ -97,17 +111,21 @@ Result<ClosedDocument> close_document(Document const& document, Progress const& 
   PartNames names(document);
   ClosedDocument result;
   Simplify command;
-  for (auto const& set : sets) {
+  for (auto set : sets) {
     auto closed = close_set(document, set, set_choice(document, set), names, progress);
     if (!closed && closed.error().code == ErrorCode::Cancelled) return closed.error();
-    if (!closed) {
-      result.faults.push_back(fault_of(document, set, closed.error()));
+    if (closed) {
+      result.details += lay_details(document, set, *closed, command.details);
+      result.closings += count_closings(closed->shapes);
+      command.sets.push_back(*std::move(closed));
       continue;
     }
-    result.closings += count_closings(closed->shapes);
-    command.sets.push_back(*std::move(closed));
+    if (closed.error().code == ErrorCode::NothingThere) {
+      result.details += lay_details(document, set, command.details);
+    }
+    if (!set.places.empty()) result.faults.push_back(fault_of(document, set, closed.error()));
   }
-  if (!command.sets.empty()) result.command = std::move(command);
+  if (!command.sets.empty() || !command.details.empty()) result.command = std::move(command);
   return result;
 }
 

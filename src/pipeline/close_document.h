@@ -25,10 +25,13 @@ struct ClosedDocument {
   std::optional<Simplify> command;   // none: nothing could be closed
   std::vector<ClosingFault> faults;  // sets of strokes that stay as they are
   int closings = 0;                  // gaps that were closed
+  int details = 0;                   // loose strokes that go to the closed layers that they lie on
 };
 
-/// Runs simplify on what is rough: each open layer by itself, then loose strokes drawn near and loose strokes drawn far, each as one
-/// sketch (by its groups, where it has any), with the choices of the document.
+/// Runs simplify on what is rough: each layer that takes strokes by itself, then loose strokes drawn near and loose strokes drawn
+/// far, each as one sketch (by its groups, where it has any), with the choices of the document. Limbs that are open towards other parts
+/// that are seen are closed there. Loose strokes that draw no shape become details of the closed layers that they lie on; only
+/// what lies on none is noise, or a fault.
 ///
 /// errors  NothingThere (nothing is rough), Cancelled
 /// cost    that of simplify
@@ -50,8 +53,8 @@ struct ShapePreview {
   friend bool operator==(ShapePreview const&, ShapePreview const&) = default;
 };
 
-/// A quick look at what close_document would make: the same closings, outlines not yet smoothed to the end. Where there are more
-/// than 10,000 samples it looks at fewer of them.
+/// A quick look at what close_document would make: the same closings, outlines not yet smoothed to the end, limbs not yet closed
+/// where they enter other parts. Where there are more than 10,000 samples it looks at fewer of them.
 ///
 /// out     nothing to close, or cancelled: an empty preview
 /// cost    at most about 10 ms for 1000 strokes; a ShapePreviewer knows what it has seen

@@ -16,7 +16,7 @@ bool is_in_candidate(std::vector<StrokeGroup> const& groups, Stroke const& strok
 std::vector<RoughSet> rough_sets(Document const& document) {
   std::vector<RoughSet> sets;
   for (auto const& layer : *document.layers) {
-    if (layer->layer.is_open) sets.push_back(layer_set(document, *layer));
+    if (takes_strokes(layer->layer)) sets.push_back(layer_set(document, *layer));
   }
   RoughSet near = {LayerId::None, StrokeDepth::Near, {}, {}};
   RoughSet far = {LayerId::None, StrokeDepth::Far, {}, {}};

@@ -16,7 +16,7 @@ struct RoughSet {
   std::vector<Shared<KeptStroke>> strokes;  // those at the places
 };
 
-/// All that is rough: the open layers that have strokes, back to front, then the near loose strokes, then the far ones. Sets without
+/// All that is rough: the layers that take strokes and have some, back to front, then the near loose strokes, then the far ones. Sets without
 /// strokes are left out.
 std::vector<RoughSet> rough_sets(Document const& document);
 

@@ -14,15 +14,19 @@ constexpr double kLightestPress = 0.4;
 
 }  // namespace
 
+double pressed_width(Stroke const& stroke, Sample const& sample) {
+  double const press = std::clamp(sample.pressure, 0.0, 1.0);
+  return stroke.width_px * (kLightestPress + (1 - kLightestPress) * press);
+}
+
 StrokedPolyline ink_line(Stroke const& stroke) {
   StrokedPolyline line;
   line.colour = stroke.colour;
   line.points.reserve(stroke.samples.size());
   line.widths_px.reserve(stroke.samples.size());
   for (auto const& sample : stroke.samples) {
-    double const press = std::clamp(sample.pressure, 0.0, 1.0);
     line.points.push_back(sample.position);
-    line.widths_px.push_back(stroke.width_px * (kLightestPress + (1 - kLightestPress) * press));
+    line.widths_px.push_back(pressed_width(stroke, sample));
   }
   return line;
 }

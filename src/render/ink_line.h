@@ -6,6 +6,9 @@
 
 namespace inkflate {
 
+/// How wide the pen draws where it is pressed so, px.
+double pressed_width(Stroke const& stroke, Sample const& sample);
+
 /// A stroke as the pen drew it: its colour, and its width, thinner where the pen pressed less.
 StrokedPolyline ink_line(Stroke const& stroke);
 

@@ -13,7 +13,7 @@ struct Pen {
   Colour colour;
 };
 
-/// Width and colour that strokes have on average, each counting once; help lines and colours' alpha do not count. None: there is no ink.
+/// Width (as the pen was pressed) and colour that strokes have on average, each counting once; help lines and colours' alpha do not count. None: there is no ink.
 std::optional<Pen> mean_pen(std::vector<Stroke const*> const& strokes);
 
 }  // namespace inkflate

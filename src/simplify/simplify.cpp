@@ -82,9 +82,13 @@ Result<Drawing> simplify(Sketch const& sketch, SimplifyOptions const& options,
     sort_group(sketch, sorting, groups.back());
   }
   if (options.method == SimplifyMethod::Cut) {
+    // Hosts are groups that take no part themselves.
+    auto const own_count = groups.size();
+    for (auto const& host : options.hosts) groups.push_back({{}, {Layer{"", {host}, {}, {}}}, {}});
     auto const changed =
         close_limb_mouths(sketch, plan->is_faint, plan->space, options, progress, groups);
     if (!changed) return changed.error();
+    groups.resize(own_count);
     for (int const g : *changed) sort_group(sketch, sorting, groups[g]);
   }
   for (auto& group : groups) {

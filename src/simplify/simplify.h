@@ -38,6 +38,8 @@ struct SimplifyOptions {
   std::vector<Vec2> outside = {};     // these places are background
   std::vector<Vec2> inside = {};      // these places belong to the shape
   MarksBeyond marks_beyond = MarksBeyond::Refuse;  // method cut only
+  std::vector<Outline> hosts =
+      {};  // of parts that are there already: limbs open towards them are closed there (method cut)
   Holes holes = Holes::Keep;
   Parts parts = Parts::All;
   double smooth = 0.5;  // 0 .. 1: how far a contour may leave the pen's jitter to be smooth

@@ -35,7 +35,7 @@ Cuts::Cuts(Solid const& solid)
       int const other = n + offsets[d];
       if (solid.sides[n] == solid.sides[other]) continue;
       keys.push_back(std::int64_t{n} * kFamilies + f);
-      bool const starts_inside = solid.sides[n] == Side::Inside;
+      bool const starts_inside = solid.sides[n] == NodeSide::Inside;
       if (starts_inside) {
         places_.push_back(solid.reach(lattice.node(n), d));
       } else {

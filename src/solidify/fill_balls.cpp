@@ -116,7 +116,7 @@ class Collector {
     return step_length(family.direction()) == kLongStep ? 1 : kShortStep;
   }
 
-  void add_pair(LineSpans const& family, int line, Crossing const& from, Crossing const& to,
+  void add_pair(LineSpans const& family, int line, LineCrossing const& from, LineCrossing const& to,
                 double sign) {
     Face const a{family.place(line, from.at), sign * mesh_.normal(from.triangle), from.triangle};
     Face const b{family.place(line, to.at), sign * mesh_.normal(to.triangle), to.triangle};

@@ -30,7 +30,7 @@ void mark_spans(Solid& solid) {
       auto const crossings = rows.crossings(rows.line({k & 1, j, k}));
       for (std::size_t c = 0; c + 1 < crossings.size(); c += 2) {
         for (int i = round_up_to_parity(crossings[c].at, k & 1); i <= crossings[c + 1].at; i += 2)
-          solid.sides[lattice.index({i, j, k})] = Side::Inside;
+          solid.sides[lattice.index({i, j, k})] = NodeSide::Inside;
       }
     }
   }
@@ -53,7 +53,7 @@ void mark_ball(Solid& solid, int b) {
             depth(solid.balls[other], place_of(node)) >= depth(solid.balls[b], place_of(node)))
           continue;
         solid.ball_of_node[index] = b;
-        solid.sides[index] = Side::Inside;
+        solid.sides[index] = NodeSide::Inside;
       }
     }
   }
@@ -61,12 +61,12 @@ void mark_ball(Solid& solid, int b) {
 
 void fill_voids(Solid& solid) {
   // The lattice's rim is all outside, its first node with it.
-  NodeStretches const outside(solid.lattice, solid.sides, Side::Outside);
+  NodeStretches const outside(solid.lattice, solid.sides, NodeSide::Outside);
   for (int r = 0; r < std::ssize(outside.stretches()); ++r) {
     if (outside.piece(r) == 0) continue;
     auto const& stretch = outside.stretches()[r];
     auto const row = solid.sides.begin() + std::ptrdiff_t{stretch.row} * solid.lattice.columns;
-    std::fill(row + stretch.first, row + stretch.last + 1, Side::Inside);
+    std::fill(row + stretch.first, row + stretch.last + 1, NodeSide::Inside);
   }
 }
 
@@ -90,7 +90,7 @@ void for_shells(Solid const& solid, std::span<int const> shell_of_triangle,
 
 /// Takes away small pieces that belong to shells of which a larger piece is there.
 void drop_crumbs(Solid& solid, std::span<int const> shell_of_triangle) {
-  NodeStretches const inside(solid.lattice, solid.sides, Side::Inside);
+  NodeStretches const inside(solid.lattice, solid.sides, NodeSide::Inside);
   if (inside.piece_count() < 2) return;
   auto const& stretches = inside.stretches();
   std::vector<double> sizes(static_cast<std::size_t>(inside.piece_count()), 0);
@@ -116,7 +116,7 @@ void drop_crumbs(Solid& solid, std::span<int const> shell_of_triangle) {
   for (int r = 0; r < std::ssize(stretches); ++r) {
     if (is_kept[inside.piece(r)] || sizes[inside.piece(r)] > most) continue;
     auto const row = solid.sides.begin() + std::ptrdiff_t{stretches[r].row} * solid.lattice.columns;
-    std::fill(row + stretches[r].first, row + stretches[r].last + 1, Side::Outside);
+    std::fill(row + stretches[r].first, row + stretches[r].last + 1, NodeSide::Outside);
   }
 }
 
@@ -124,7 +124,7 @@ void drop_crumbs(Solid& solid, std::span<int const> shell_of_triangle) {
 
 void label_nodes(Solid& solid, std::span<int const> shell_of_triangle) {
   auto const count = static_cast<std::size_t>(solid.lattice.node_count());
-  solid.sides.assign(count, Side::Outside);
+  solid.sides.assign(count, NodeSide::Outside);
   mark_spans(solid);
   if (!solid.balls.empty()) solid.ball_of_node.assign(count, -1);
   for (int b = 0; b < std::ssize(solid.balls); ++b) mark_ball(solid, b);

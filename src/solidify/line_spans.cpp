@@ -184,7 +184,7 @@ void LineSpans::keep_union(std::vector<Hit>& hits) {
 }
 
 void LineSpans::cut_below(double k) {
-  std::vector<Crossing> kept;
+  std::vector<LineCrossing> kept;
   int read = 0;
   for (int l = 0; l < line_count(); ++l) {
     int const end = begin_[l + 1];
@@ -192,8 +192,8 @@ void LineSpans::cut_below(double k) {
     bool const is_flat = along_ != 2;
     bool const is_below = is_flat && place(l, 0).z < k;
     for (; read + 1 < end; read += 2) {
-      Crossing in = crossings_[read];
-      Crossing const out = crossings_[read + 1];
+      LineCrossing in = crossings_[read];
+      LineCrossing const out = crossings_[read + 1];
       if (is_below || (!is_flat && out.at <= k)) continue;
       if (!is_flat && in.at < k) in = {k, -1};
       kept.push_back(in);

@@ -37,7 +37,7 @@ struct LatticeMesh {
 using LinePlanePoint = std::array<std::int64_t, 2>;
 
 /// Where a line goes into the union of all shells or leaves it.
-struct Crossing {
+struct LineCrossing {
   double at = 0;     // along the line, see LineSpans::position
   int triangle = 0;  // that is crossed there
 };
@@ -57,7 +57,7 @@ class LineSpans {
   int line_count() const { return columns_ * rows_; }
   int direction() const { return kFamilyDirections[family_]; }
   /// The crossings of a line, rising: in, out, in, out ...
-  std::span<Crossing const> crossings(int line) const {
+  std::span<LineCrossing const> crossings(int line) const {
     return {crossings_.data() + begin_[line],
             static_cast<std::size_t>(begin_[line + 1] - begin_[line])};
   }
@@ -106,7 +106,7 @@ class LineSpans {
   int columns_ = 0;
   int rows_ = 0;
   std::vector<int> begin_;
-  std::vector<Crossing> crossings_;
+  std::vector<LineCrossing> crossings_;
 };
 
 }  // namespace inkflate

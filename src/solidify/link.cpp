@@ -63,12 +63,12 @@ bool is_connected(unsigned nodes) {
 bool is_passed_once(LinkSides const& link, int d) {
   int changes = 0;
   auto const ring = ring_around(d);
-  Side last = Side::On;
+  NodeSide last = NodeSide::On;
   for (std::size_t r = 0; r < 2 * ring.size(); ++r) {
-    Side const side = link[ring[r % ring.size()]];
-    Side const next = link[ring[(r + 1) % ring.size()]];
-    if (side == Side::On && next == Side::On) return false;
-    if (side == Side::On) continue;
+    NodeSide const side = link[ring[r % ring.size()]];
+    NodeSide const next = link[ring[(r + 1) % ring.size()]];
+    if (side == NodeSide::On && next == NodeSide::On) return false;
+    if (side == NodeSide::On) continue;
     // The first round finds the side before the first member.
     if (r >= ring.size() && side != last) ++changes;
     last = side;
@@ -86,12 +86,12 @@ bool is_disc(LinkSides const& link) {
   unsigned inside = 0;
   unsigned outside = 0;
   for (int d = 0; d < kDirections; ++d) {
-    if (link[d] == Side::Inside) inside |= 1U << static_cast<unsigned>(d);
-    if (link[d] == Side::Outside) outside |= 1U << static_cast<unsigned>(d);
+    if (link[d] == NodeSide::Inside) inside |= 1U << static_cast<unsigned>(d);
+    if (link[d] == NodeSide::Outside) outside |= 1U << static_cast<unsigned>(d);
   }
   if (inside == 0 || outside == 0 || !is_connected(inside) || !is_connected(outside)) return false;
   for (int d = 0; d < kDirections; ++d) {
-    if (link[d] == Side::On && !is_passed_once(link, d)) return false;
+    if (link[d] == NodeSide::On && !is_passed_once(link, d)) return false;
   }
   return true;
 }

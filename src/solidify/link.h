@@ -10,7 +10,7 @@
 namespace inkflate {
 
 /// The sides of a node's fourteen neighbours. They are the corners of a sphere of 24 triangles around it, its link.
-using LinkSides = std::array<Side, kDirections>;
+using LinkSides = std::array<NodeSide, kDirections>;
 
 /// The neighbours that a node and its neighbour in direction d have in common, in order around the step between them: 4 or 6.
 std::span<int const> ring_around(int d);

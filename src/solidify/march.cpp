@@ -19,7 +19,7 @@ constexpr std::array<std::array<int, 4>, 3> kAround = {
 struct Corner {
   int node = 0;
   int slot = 0;  // in the tetrahedron; slots 0 and 1, and 2 and 3, are joined by long edges
-  Side side = Side::Outside;
+  NodeSide side = NodeSide::Outside;
 };
 
 class Marcher {
@@ -72,8 +72,8 @@ class Marcher {
       ++counts[static_cast<int>(corners[c].side) + 1];
     }
     if (counts[2] == 0 || (counts[0] == 0 && counts[1] < 3)) return;
-    auto const rank = [](Side side) {
-      return side == Side::Inside ? 0 : side == Side::Outside ? 1 : 2;
+    auto const rank = [](NodeSide side) {
+      return side == NodeSide::Inside ? 0 : side == NodeSide::Outside ? 1 : 2;
     };
     bool is_mirrored = false;
     for (int pass = 0; pass < 3; ++pass) {
@@ -90,10 +90,11 @@ class Marcher {
   void cut_off(std::array<Corner, 4> const& t, int inside, int outside,
                std::array<int, 4> const& nodes) {
     if (outside == 0) {  // one inside, three on the surface
-      if (solid_.sides[across(t[0], nodes)] != Side::Inside) add({on(t[1]), on(t[2]), on(t[3])});
+      if (solid_.sides[across(t[0], nodes)] != NodeSide::Inside)
+        add({on(t[1]), on(t[2]), on(t[3])});
     } else if (inside == 1) {
-      add({cut(t[0], t[1]), t[2].side == Side::On ? on(t[2]) : cut(t[0], t[2]),
-           t[3].side == Side::On ? on(t[3]) : cut(t[0], t[3])});
+      add({cut(t[0], t[1]), t[2].side == NodeSide::On ? on(t[2]) : cut(t[0], t[2]),
+           t[3].side == NodeSide::On ? on(t[3]) : cut(t[0], t[3])});
     } else if (inside == 3) {
       add({cut(t[0], t[3]), cut(t[1], t[3]), cut(t[2], t[3])});
     } else if (outside == 1) {

@@ -6,7 +6,8 @@
 
 namespace inkflate {
 
-NodeStretches::NodeStretches(Lattice const& lattice, std::vector<Side> const& sides, Side side)
+NodeStretches::NodeStretches(Lattice const& lattice, std::vector<NodeSide> const& sides,
+                             NodeSide side)
     : lattice_(lattice) {
   int const row_count = lattice.rows * lattice.planes;
   for (int row = 0; row < row_count; ++row) {
@@ -20,7 +21,7 @@ NodeStretches::NodeStretches(Lattice const& lattice, std::vector<Side> const& si
   number_pieces();
 }
 
-void NodeStretches::add_row(std::vector<Side> const& sides, Side side, int row) {
+void NodeStretches::add_row(std::vector<NodeSide> const& sides, NodeSide side, int row) {
   auto const* const nodes = sides.data() + std::ptrdiff_t{row} * lattice_.columns;
   for (int c = 0; c < lattice_.columns; ++c) {
     if (nodes[c] != side) continue;

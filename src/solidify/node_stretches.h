@@ -8,7 +8,7 @@
 namespace inkflate {
 
 /// What a lattice node is: outside, on the surface (once it was moved there) or inside.
-enum class Side : std::int8_t { Outside = -1, On = 0, Inside = 1 };
+enum class NodeSide : std::int8_t { Outside = -1, On = 0, Inside = 1 };
 
 /// Consecutive nodes of one row that are on the same side.
 struct NodeStretch {
@@ -21,7 +21,7 @@ struct NodeStretch {
 class NodeStretches {
  public:
   /// cost    O(nodes)
-  NodeStretches(Lattice const& lattice, std::vector<Side> const& sides, Side side);
+  NodeStretches(Lattice const& lattice, std::vector<NodeSide> const& sides, NodeSide side);
 
   std::vector<NodeStretch> const& stretches() const { return stretches_; }
   /// The number of the piece that a stretch belongs to: 0 is that of the first one.
@@ -29,7 +29,7 @@ class NodeStretches {
   int piece_count() const { return piece_count_; }
 
  private:
-  void add_row(std::vector<Side> const& sides, Side side, int row);
+  void add_row(std::vector<NodeSide> const& sides, NodeSide side, int row);
   void join_neighbours();
   void join_rows(int row, int other_row, int least_shift, int most_shift);
   void number_pieces();

@@ -53,12 +53,12 @@ class Snapper {
   /// Whether the node could be put on the surface; it is then.
   bool snap(int node) {
     auto const& offsets = offsets_of(node);
-    Side const before = solid_.sides[node];
-    solid_.sides[node] = Side::On;
+    NodeSide const before = solid_.sides[node];
+    solid_.sides[node] = NodeSide::On;
     bool is_good = is_disc(link_of(node));
     for (int d = 0; d < kDirections && is_good; ++d) {
       int const other = node + offsets[d];
-      if (solid_.sides[other] == Side::On) is_good = is_disc(link_of(other));
+      if (solid_.sides[other] == NodeSide::On) is_good = is_disc(link_of(other));
     }
     if (!is_good) solid_.sides[node] = before;
     return is_good;
@@ -90,7 +90,7 @@ SnappedNodes snap_nodes(Solid& solid, Cuts const& cuts) {
   std::vector<Snapped> snapped;
   Snapper snapper(solid);
   for (auto const& candidate : find_candidates(solid, cuts)) {
-    if (solid.sides[candidate.node] == Side::On || solid.sides[candidate.other] == Side::On)
+    if (solid.sides[candidate.node] == NodeSide::On || solid.sides[candidate.other] == NodeSide::On)
       continue;
     if (snapper.snap(candidate.node))
       snapped.push_back({candidate.node, candidate.place, candidate.is_of_ball});

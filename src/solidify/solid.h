@@ -21,9 +21,9 @@ struct Solid {
   std::vector<LineSpans> families;  // seven
   std::vector<Ball> balls;
   std::vector<int>
-      ball_of_node;         // the ball in which the node lies deepest, or -1; empty without balls
-  double base = 0;          // nothing lies below this k
-  std::vector<Side> sides;  // per node; what cannot be reached from outside is inside
+      ball_of_node;  // the ball in which the node lies deepest, or -1; empty without balls
+  double base = 0;   // nothing lies below this k
+  std::vector<NodeSide> sides;  // per node; what cannot be reached from outside is inside
 
   /// How far the solid reaches on the way from a node that is inside to its neighbour in direction d that is outside.
   Reach reach(LatticeNode from, int direction) const;

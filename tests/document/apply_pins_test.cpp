@@ -90,7 +90,7 @@ TEST(SetTrack, ReplacesAddsAndRemoves) {
 }
 
 TEST(SetTrack, RefusesKeysOutOfOrderOrOutsideOfTheClip) {
-  auto const refused = [](Track track) { return test::refusal(pinned(), SetTrack{track}); };
+  auto const refused = [](Track const& track) { return test::refusal(pinned(), SetTrack{track}); };
   EXPECT_EQ(refused({PinId{9}, {{0, {}}}, 0}), ErrorCode::BadInput);
   EXPECT_EQ(refused({PinId{3}, {{5, {}}}, 0}), ErrorCode::BadInput);
   EXPECT_EQ(refused({PinId{3}, {{-1, {}}}, 0}), ErrorCode::BadInput);

@@ -52,6 +52,21 @@ TEST(SetCanvas, HasAtLeastOnePixel) {
   }
 }
 
+TEST(Replace, RefusesDocumentsThatNoFileCouldHold) {
+  auto const many_layers = [](std::size_t count) {
+    auto document = with_disc(empty_document(), {5, 5}, 2);
+    document.layers =
+        std::make_shared<std::vector<Shared<DocumentLayer>> const>(count, document.layers->front());
+    return document;
+  };
+  EXPECT_TRUE(inkflate::apply(empty_document(), Replace{many_layers(DocumentLimits::kLayers)}));
+  EXPECT_EQ(test::refusal(empty_document(), Replace{many_layers(DocumentLimits::kLayers + 1)}),
+            ErrorCode::TooLarge);
+  auto late = empty_document();
+  late.next_id = DocumentLimits::kIds + 1;
+  EXPECT_EQ(test::refusal(empty_document(), Replace{late}), ErrorCode::TooLarge);
+}
+
 TEST(Replace, IsTheOtherDocument) {
   auto const other = with_disc(empty_document(), {5, 5}, 2);
   auto const after = inkflate::apply(empty_document(), Replace{other});

@@ -133,6 +133,52 @@ TEST(Simplify, RefusesSetsThatDoNotFit) {
             ErrorCode::TooLarge);
 }
 
+Simplify with_details(Simplify::Details details) { return {{}, {std::move(details)}}; }
+
+TEST(Simplify, LooseStrokesBecomeDetailsOfAClosedLayer) {
+  auto const before = rough();
+  auto const after = inkflate::apply(before, with_details({LayerId{1}, {0, 2}}));
+  ASSERT_TRUE(after);
+  ASSERT_EQ(after->layers->size(), 1U);
+  auto const& layer = *after->layers->front();
+  auto const& old = *before.layers->front();
+  EXPECT_EQ(layer.layer.outlines, old.layer.outlines);
+  EXPECT_EQ(layer.layer.details, (std::vector<int>{old.strokes.size(), old.strokes.size() + 1}));
+  EXPECT_EQ(layer.strokes[old.strokes.size() + 1], before.loose[2]) << "strokes are shared";
+  ASSERT_EQ(after->loose.size(), 2);
+  EXPECT_EQ(after->loose[0], before.loose[1]);
+  EXPECT_EQ(*after->choice, *before.choice);
+}
+
+TEST(Simplify, DetailsAndShapesComeTogether) {
+  auto command = of({{}, {1, 3}, StrokeDepth::Far, {shape("new", {3})}});
+  command.details = {{LayerId{1}, {0}}, {LayerId{1}, {2}}};
+  auto const after = inkflate::apply(rough(), command);
+  ASSERT_TRUE(after);
+  ASSERT_EQ(after->layers->size(), 2U);
+  EXPECT_EQ((*after->layers)[0]->layer.name, "new");
+  EXPECT_EQ((*after->layers)[1]->layer.details.size(), 2U);
+  EXPECT_TRUE(after->loose.is_empty());
+  EXPECT_TRUE(after->choice->outside.empty());
+}
+
+TEST(Simplify, RefusesDetailsThatDoNotFit) {
+  auto const refused = [](Simplify const& command) { return test::refusal(rough(), command); };
+  EXPECT_EQ(refused(with_details({LayerId{1}, {}})), ErrorCode::NothingThere);
+  EXPECT_EQ(refused(with_details({LayerId{1}, {4}})), ErrorCode::BadInput);
+  EXPECT_EQ(refused(with_details({LayerId{1}, {1, 0}})), ErrorCode::BadInput);
+  EXPECT_EQ(refused(with_details({LayerId{9}, {0}})), ErrorCode::BadInput);
+  EXPECT_EQ(refused(with_details({LayerId::None, {0}})), ErrorCode::BadInput);
+  auto twice = of({{}, {0}, StrokeDepth::Near, {shape("a", {0})}});
+  twice.details = {{LayerId{1}, {0}}};
+  EXPECT_EQ(refused(twice), ErrorCode::BadInput);
+  auto const open = with_changed(rough(), LayerId{1}, [](Layer& layer) { layer.is_open = true; });
+  EXPECT_EQ(test::refusal(open, with_details({LayerId{1}, {0}})), ErrorCode::BadInput);
+  auto const locked =
+      with_changed(rough(), LayerId{1}, [](Layer& layer) { layer.is_locked = true; });
+  EXPECT_EQ(test::refusal(locked, with_details({LayerId{1}, {0}})), ErrorCode::BadInput);
+}
+
 TEST(Simplify, RefusesAnOpenLayerTwiceOrInPart) {
   auto const open = with_changed(rough(), LayerId{1}, [](Layer& layer) { layer.is_open = true; });
   Simplify::Set const set = {LayerId{1}, {}, StrokeDepth::Near, {shape("a", {})}};

@@ -108,6 +108,13 @@ TEST(EraseArea, PiecesInAnOpenLayerAreWhatTheirStrokeWas) {
   EXPECT_EQ(sources[2].stroke, 3);
 }
 
+TEST(EraseArea, LeavesHiddenLayersAlone) {
+  auto const hidden =
+      with_changed(open_layer(), LayerId{1}, [](Layer& layer) { layer.is_hidden = true; });
+  EraseArea const all = {{{0, 0}, {1000, 1000}}, 2000};
+  EXPECT_EQ(test::refusal(hidden, all), ErrorCode::NothingThere);
+}
+
 TEST(EraseArea, LeavesClosedAndLockedLayersAlone) {
   EraseArea const all = {{{50, 100}}, 500};
   auto const disc = with_disc(empty_document(), {50, 50}, 20);

@@ -36,6 +36,22 @@ TEST(DrawHandlers, StrokesThatEncloseNothingAreSaidWithTheirPlace) {
   EXPECT_EQ(artist.document().loose.size(), 1);
 }
 
+TEST(DrawHandlers, StrokesOnAClosedPartAreSaidToBelongToIt) {
+  Artist artist;
+  artist.draw_circle({500, 500}, 200, 0);
+  artist.key("Enter");
+  artist.draw({{450, 520}, {400, 525}});
+  artist.draw({{550, 520}, {600, 525}});
+  artist.messages.clear();
+  artist.key("Enter");
+  ASSERT_EQ(artist.messages.size(), 1U);
+  EXPECT_EQ(artist.messages.back().word, Word::LaidOnParts);
+  EXPECT_EQ(artist.messages.back().arguments, std::vector<std::string>{"2"});
+  EXPECT_TRUE(artist.document().loose.is_empty());
+  artist.act("undo");
+  EXPECT_EQ(artist.document().loose.size(), 2);
+}
+
 TEST(DrawHandlers, NoGapIsSaidToo) {
   Artist artist;
   artist.draw_circle({500, 500}, 200, 0);

@@ -289,7 +289,7 @@ TEST(Engine, SpaceHeldPansAndDrawsNothing) {
   artist.send(space);
   artist.draw({{100, 100}, {200, 150}});
   EXPECT_TRUE(is_blank(artist.document()));
-  EXPECT_EQ(artist.state().view.camera.centre, Vec2(400, 450));
+  EXPECT_EQ(artist.state().view.camera.centre, (Vec2{400, 450}));
 }
 
 TEST(Engine, WheelWithCtrlZoomsAboutThePointer) {

@@ -156,6 +156,17 @@ TEST_F(PartHandlers, DuplicatesAreSelected) {
   EXPECT_EQ(order().back(), 5);
 }
 
+// It lies exactly on its original, so that nothing is seen of it.
+TEST_F(PartHandlers, ACopyBehindOrBeforeAllIsSaid) {
+  auto const last = [&] { return artist.messages.back().word; };
+  artist.act("duplicate_behind", "1");
+  EXPECT_EQ(last(), Word::CopiedBehind);
+  artist.act("duplicate_behind", "1");
+  EXPECT_EQ(last(), Word::CopyRemoved);
+  artist.act("duplicate_before", "1");
+  EXPECT_EQ(last(), Word::CopiedBefore);
+}
+
 TEST_F(PartHandlers, DeleteTakesTheSelection) {
   artist.key("a", {.is_ctrl = true});
   artist.key("Backspace");

@@ -90,6 +90,21 @@ TEST(Pick, TheBoxOfAllHoldsWhatIsVisible) {
   EXPECT_NEAR(box_of(hidden).max.y, 700, 1e-9);
 }
 
+TEST(Pick, TheBoxOfAllHoldsDetailsThatStickOut) {
+  auto const disc = with_disc(empty_document(), {500, 500}, 100);
+  auto const whisker = with_open(empty_document(), {line_stroke({{500, 500}, {50, 480}})});
+  auto const both = with_changed(whisker, kFirst, [&](Layer& layer) {
+    layer.is_open = false;
+    layer.outlines = disc.layers->front()->layer.outlines;
+    for (auto& outline : layer.outlines) outline.sources.clear();
+    layer.strokes.clear();
+    layer.details = {0};
+  });
+  EXPECT_EQ(box_of(both).min.x, 50);
+  EXPECT_NEAR(layer_box(*both.layers->front()).min.x, 400, 1e-9);
+  EXPECT_NEAR(box_of(both).max.x, 600, 1e-9);
+}
+
 TEST(StrokesNear, AreTheRoughOnesWithinTheRadius) {
   auto document = with_disc(empty_document(), {500, 500}, 100);  // its stroke is not rough
   document = with_loose(document, line_stroke({{0, 0}, {100, 0}}));

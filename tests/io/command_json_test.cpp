@@ -18,7 +18,7 @@ constexpr std::array kCommands = {
     R"({"command":"add_stroke","layer":3,"stroke":{"kind":"help","width":2.5,"colour":"#01020304","group":1,"depth":"far","positions":[1.0,2.0,3.0,-0.5],"pressures":[0.5,1.0],"times":[0.0,0.25]}})",
     R"({"command":"erase_area","radius":4.0,"path":[1.0,2.0,3000000.0,4.0]})",
     R"({"command":"erase_strokes","strokes":[[0,7],[3,1]]})",
-    R"({"command":"simplify","sets":[{"layer":2,"shapes":[]},{"strokes":[0,2],"depth":"far","shapes":[{"name":"arm","fill":"#ff0000ff","thickness":3.0,"choice":{"gap":9.0,"outside":[1.0,2.0],"inside":[3.0,4.0]},"outlines":[{"points":[0.0,0.0,1.0,0.0,2.0,0.0,3.0,0.0,3.0,1.0,1.0,3.0,0.0,0.0],"kinds":[["ink",1],["closing",1]],"sources":[[0.0,1.0,0,0.0,1.5]]}],"strokes":[0],"details":[1],"noise":[2]}]}]})",
+    R"({"command":"simplify","sets":[{"layer":2,"shapes":[]},{"strokes":[0,2],"depth":"far","shapes":[{"name":"arm","fill":"#ff0000ff","thickness":3.0,"choice":{"gap":9.0,"outside":[1.0,2.0],"inside":[3.0,4.0]},"outlines":[{"points":[0.0,0.0,1.0,0.0,2.0,0.0,3.0,0.0,3.0,1.0,1.0,3.0,0.0,0.0],"kinds":[["ink",1],["closing",1]],"sources":[[0.0,1.0,0,0.0,1.5]]}],"strokes":[0],"details":[1],"noise":[2]}]}],"details":[{"layer":1,"strokes":[1,4]}]})",
     R"({"command":"open_layer","layer":1})",
     R"({"command":"redraw_layer","layer":1})",
     R"({"command":"close_layer","layer":1})",

@@ -6,7 +6,7 @@
 namespace inkflate {
 namespace {
 
-LinkSides all(Side side) {
+LinkSides all(NodeSide side) {
   LinkSides link{};
   link.fill(side);
   return link;
@@ -27,38 +27,39 @@ TEST(Link, RingsHaveFourNeighboursAlongAxesAndSixAlongDiagonals) {
 TEST(Link, PlaneThroughANodeIsADisc) {
   LinkSides link{};
   for (int d = 0; d < kDirections; ++d)
-    link[d] =
-        kSteps[d].k + 0.1 * kSteps[d].i + 0.01 * kSteps[d].j > 0 ? Side::Inside : Side::Outside;
+    link[d] = kSteps[d].k + 0.1 * kSteps[d].i + 0.01 * kSteps[d].j > 0 ? NodeSide::Inside
+                                                                       : NodeSide::Outside;
   EXPECT_TRUE(is_disc(link));
 }
 
 TEST(Link, NodeWithoutTwoSidesIsNoDisc) {
-  EXPECT_FALSE(is_disc(all(Side::Inside)));
-  EXPECT_FALSE(is_disc(all(Side::Outside)));
+  EXPECT_FALSE(is_disc(all(NodeSide::Inside)));
+  EXPECT_FALSE(is_disc(all(NodeSide::Outside)));
 }
 
 TEST(Link, SheetThroughANodeIsNoDisc) {
-  auto link = all(Side::Outside);
-  link[0] = Side::Inside;
+  auto link = all(NodeSide::Outside);
+  link[0] = NodeSide::Inside;
   EXPECT_TRUE(is_disc(link));
-  link[1] = Side::Inside;
+  link[1] = NodeSide::Inside;
   EXPECT_FALSE(is_disc(link)) << "two pieces inside would meet in the node";
 }
 
 TEST(Link, TunnelThroughANodeIsNoDisc) {
-  auto link = all(Side::Inside);
-  link[0] = Side::Outside;
-  link[1] = Side::Outside;
+  auto link = all(NodeSide::Inside);
+  link[0] = NodeSide::Outside;
+  link[1] = NodeSide::Outside;
   EXPECT_FALSE(is_disc(link));
 }
 
 TEST(Link, TetrahedronOnTheSurfaceIsRefused) {
   LinkSides link{};
-  for (int d = 0; d < kDirections; ++d) link[d] = kSteps[d].k > 0 ? Side::Inside : Side::Outside;
-  link[0] = Side::On;
+  for (int d = 0; d < kDirections; ++d)
+    link[d] = kSteps[d].k > 0 ? NodeSide::Inside : NodeSide::Outside;
+  link[0] = NodeSide::On;
   EXPECT_TRUE(is_disc(link));
-  link[ring_around(0)[0]] = Side::On;
-  link[ring_around(0)[1]] = Side::On;
+  link[ring_around(0)[0]] = NodeSide::On;
+  link[ring_around(0)[1]] = NodeSide::On;
   EXPECT_FALSE(is_disc(link));
 }
 

@@ -89,7 +89,9 @@ class Sensible {
       command.sets.push_back({layer, {}, StrokeDepth::Near, {random_shape(rng_, all)}});
     }
     auto const loose = some_of(document_.loose.size());
-    if (!loose.empty()) {
+    if (!loose.empty() && rng_.below(3) == 0) {
+      command.details.push_back({layer(), loose});
+    } else if (!loose.empty()) {
       auto const depth = rng_.below(2) == 0 ? StrokeDepth::Near : StrokeDepth::Far;
       command.sets.push_back({LayerId::None, loose, depth, {random_shape(rng_, loose)}});
       if (rng_.below(2) == 0) command.sets.back().shapes.push_back(random_shape(rng_, loose));

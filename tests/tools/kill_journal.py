@@ -19,6 +19,14 @@ def stroke(*points):
     return {"stroke": [list(point) for point in points]}
 
 
+def key(name, **modifiers):
+    return {"key": name, **modifiers}
+
+
+def scribble(brush):
+    return [brush, stroke((100, 700), (200, 760), (300, 700))]
+
+
 def blob(x, y, size):
     """A shape in two overlapping strokes."""
     return [stroke((x - size, y), (x - size, y - size), (x, y - size), (x + size, y - size), (x + size, y + 5)),
@@ -34,17 +42,15 @@ STEADY = [{"pinch": 1e-9, **MIDDLE}, {"wheel": [1e9, 1e9], **MIDDLE}, {"pinch": 
 
 def units():
     """What is done, in pieces that do not depend on what is picked or selected: that is not in a journal."""
-    key = lambda name, **modifiers: {"key": name, **modifiers}
     brush, eraser = key("b"), key("e")
-    scribble = lambda: [brush, stroke((100, 700), (200, 760), (300, 700))]
     result = []
     for i in range(6):
         first, second = blob(150 + 130 * i, 200 + 40 * (i % 3), 50)
         result += [[brush, first], [brush, second], [key("Enter")]]
         if i % 2 == 0:
-            result += [scribble(), [key("z", ctrl=True)]]
+            result += [scribble(brush), [key("z", ctrl=True)]]
         else:
-            result += [scribble(), [eraser, stroke((200, 700), (200, 800))], scribble()]
+            result += [scribble(brush), [eraser, stroke((200, 700), (200, 800))], scribble(brush)]
     result += [[key("z", ctrl=True)]] * 5 + [[key("y", ctrl=True)]] * 3
     first, second = blob(500, 600, 80)
     result += [[brush, first], [brush, second], [key("Enter")]]
