@@ -27,6 +27,7 @@ enum class Word {
   Saved,
   Exported,
   Recovered,
+  RecoveredInPart,
   Undone,  // {0}: the name of an action
   Redone,
   // Warnings and problems
@@ -34,10 +35,10 @@ enum class Word {
   NotClosed,     // {0}: a reason
   NothingToInflate,
   NothingSelected,
-  LayerLocked,  // {0}: its name
   NothingToUndo,
   NothingToRedo,
   CannotRead,  // {0}: a reason
+  LeftOut,     // {0}: what of a file was not read
   CannotDo,    // {0}: a reason
   Cancelled,
   ModelFault,  // {0}: a reason
