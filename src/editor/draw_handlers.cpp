@@ -32,7 +32,7 @@ void say_closed(EditorTurn& turn, int closings) {
 std::vector<LayerId> open_layers(Document const& document) {
   std::vector<LayerId> result;
   for (auto const& layer : *document.layers) {
-    if (layer->layer.is_open) result.push_back(layer->layer.id);
+    if (takes_strokes(layer->layer)) result.push_back(layer->layer.id);
   }
   return result;
 }
@@ -42,23 +42,23 @@ CloseChoice const& choice_of(Document const& document, LayerId layer) {
   return found == nullptr ? *document.choice : found->layer.choice;
 }
 
-/// Gives closed layers another choice and closes them anew.
-bool close_again(EditorTurn& turn, std::vector<LayerId> const& layers, std::string_view action,
-                 CloseChoice (*change)(CloseChoice, EditorTurn const&), bool is_slider) {
+/// What gives closed layers another choice and closes them anew. Nothing, and said, when one cannot be closed.
+std::optional<std::vector<Command>> closed_again(EditorTurn& turn, Document const& document,
+                                                 std::vector<LayerId> const& layers,
+                                                 CloseChoice (*change)(CloseChoice,
+                                                                       EditorTurn const&)) {
   std::vector<Command> commands;
   for (auto const id : layers) {
-    auto const& document = turn.state.history.document();
     auto closed =
         close_layer_again(document, id, change(choice_of(document, id), turn), turn.progress);
     if (!closed) {
       say(turn, closed.error());
-      return false;
+      return std::nullopt;
     }
     commands.emplace_back(OpenLayer{id});
     commands.emplace_back(std::move(*closed));
   }
-  return is_slider ? commit_again(turn, std::move(commands), action)
-                   : commit(turn, std::move(commands), action);
+  return commands;
 }
 
 /// "auto", or the largest gap in px.
@@ -71,22 +71,27 @@ CloseChoice with_gap(CloseChoice choice, EditorTurn const& turn) {
   return choice;
 }
 
+/// The gap of the selection, which is closed already.
+void close_with_gap(EditorTurn& turn) {
+  auto const layers = turn.state.view.selection;
+  auto commands = closed_again(turn, slider_base(turn.state, "gap", layers), layers, with_gap);
+  if (commands) commit_value(turn, *std::move(commands), "gap", layers);
+}
+
 /// Of what is rough; of the selection when nothing is.
 void gap(EditorTurn& turn) {
   if (!is_gap(turn.argument)) return refuse_argument(turn);
   auto const& document = turn.state.history.document();
-  auto const& selection = turn.state.view.selection;
   auto targets = open_layers(document);
-  if (targets.empty() && document.loose.is_empty() && !selection.empty()) {
-    close_again(turn, selection, "gap", with_gap, true);
-    return;
-  }
+  bool const is_all_closed = targets.empty() && document.loose.is_empty();
+  if (is_all_closed && has_selection(turn.state)) return close_with_gap(turn);
   targets.push_back(LayerId::None);
+  auto const& base = slider_base(turn.state, "gap", targets);
   std::vector<Command> commands;
   for (auto const id : targets) {
-    commands.emplace_back(SetChoice{id, with_gap(choice_of(document, id), turn)});
+    commands.emplace_back(SetChoice{id, with_gap(choice_of(base, id), turn)});
   }
-  commit_again(turn, std::move(commands), "gap");
+  commit_value(turn, without_idle(base, std::move(commands)), "gap", targets);
 }
 
 /// Puts a mark there, or takes away the one that is.
@@ -120,9 +125,7 @@ LayerId marked_layer(Document const& document, Vec2 place) {
     auto const& data = (*layer)->layer;
     if (data.is_hidden || data.is_locked || data.is_open) continue;
     auto const box = layer_box(**layer);
-    bool const is_in = place.x >= box.min.x && place.x <= box.max.x && place.y >= box.min.y &&
-                       place.y <= box.max.y;
-    if (is_in) return data.id;
+    if (contains(box, place)) return data.id;
   }
   return LayerId::None;
 }
@@ -142,15 +145,17 @@ void mark(EditorTurn& turn, std::string_view action,
   }
   auto const layer = marked_layer(document, *place);
   if (layer == LayerId::None) return say(turn, Severity::Warning, Word::NothingRough);
-  close_again(turn, {layer}, action, change, false);
+  auto commands = closed_again(turn, document, {layer}, change);
+  if (commands) commit(turn, *std::move(commands), action);
 }
 
-void for_each_selected(EditorTurn& turn, std::string_view action, Command (*command)(LayerId)) {
+template <typename LayerCommand>
+void for_each_selected(EditorTurn& turn, std::string_view action) {
   auto const& selection = turn.state.view.selection;
   if (selection.empty()) return say(turn, Severity::Warning, Word::NothingSelected);
   std::vector<Command> commands;
-  for (auto const id : selection) commands.push_back(command(id));
-  commit(turn, std::move(commands), action);
+  for (auto const id : selection) commands.emplace_back(LayerCommand{id});
+  commit(turn, without_idle(turn.state.history.document(), std::move(commands)), action);
 }
 
 bool is_rough(EditorState const& state) { return has_rough_strokes(state.history.document()); }
@@ -164,22 +169,13 @@ constexpr std::array kHandlers = {
     ActionHandler{"mark_inside", [](EditorTurn& turn) { mark(turn, "mark_inside", with_inside); },
                   always},
     ActionHandler{"open_part",
-                  [](EditorTurn& turn) {
-                    for_each_selected(turn, "open_part",
-                                      [](LayerId id) { return Command(OpenLayer{id}); });
-                  },
+                  [](EditorTurn& turn) { for_each_selected<OpenLayer>(turn, "open_part"); },
                   has_selection},
     ActionHandler{"redraw_part",
-                  [](EditorTurn& turn) {
-                    for_each_selected(turn, "redraw_part",
-                                      [](LayerId id) { return Command(RedrawLayer{id}); });
-                  },
+                  [](EditorTurn& turn) { for_each_selected<RedrawLayer>(turn, "redraw_part"); },
                   has_selection},
     ActionHandler{"close_part",
-                  [](EditorTurn& turn) {
-                    for_each_selected(turn, "close_part",
-                                      [](LayerId id) { return Command(CloseLayer{id}); });
-                  },
+                  [](EditorTurn& turn) { for_each_selected<CloseLayer>(turn, "close_part"); },
                   has_selection},
 };
 

@@ -4,6 +4,7 @@
 
 #include "editor/action_handlers.h"
 #include "editor/layer_commands.h"
+#include "editor/pick.h"
 #include "io/numbers.h"
 
 namespace inkflate {
@@ -39,11 +40,10 @@ void duplicate_selected(EditorTurn& turn) {
   int const first_id = before.next_id;
   if (!commit_if(turn, commands, "duplicate")) return;
   // The copies are what one goes on with.
-  auto& selection = state.view.selection;
-  selection.clear();
-  for (int id = first_id; id < state.history.document().next_id; ++id) {
-    selection.push_back(static_cast<LayerId>(id));
-  }
+  std::vector<LayerId> copies;
+  for (int id = first_id; id < state.history.document().next_id; ++id)
+    copies.push_back(LayerId{id});
+  set_selection(turn, std::move(copies));
 }
 
 /// The layer that the argument names, or the only one that is selected.
@@ -69,18 +69,14 @@ void duplicate_at(EditorTurn& turn, OrderEnd end, std::string_view action) {
 }
 
 void select_all(EditorTurn& turn) {
-  auto& view = turn.state.view;
-  view.selection.clear();
+  std::vector<LayerId> selection;
   for (auto const& layer : *turn.state.history.document().layers) {
-    if (!layer->layer.is_hidden && !layer->layer.is_locked) {
-      view.selection.push_back(layer->layer.id);
-    }
+    if (is_pickable(*layer)) selection.push_back(layer->layer.id);
   }
-  std::sort(view.selection.begin(), view.selection.end());
-  turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
+  set_selection(turn, std::move(selection));
 }
 
-/// The argument lists ids: "1 3 4"; an empty one selects nothing.
+/// The argument lists ids: "1 3 4"; an empty one selects nothing. Hidden layers and such as there are not are passed over.
 void select(EditorTurn& turn) {
   std::vector<LayerId> selection;
   std::string_view rest = turn.argument;
@@ -88,13 +84,9 @@ void select(EditorTurn& turn) {
        skip_separator(rest, Separator::Comma)) {
     auto const id = take_index(rest);
     if (!id) return refuse_argument(turn);
-    auto const layer = static_cast<LayerId>(*id);
-    if (find_layer(turn.state.history.document(), layer) != nullptr) selection.push_back(layer);
+    selection.push_back(LayerId{*id});
   }
-  std::sort(selection.begin(), selection.end());
-  selection.erase(std::unique(selection.begin(), selection.end()), selection.end());
-  turn.state.view.selection = std::move(selection);
-  turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
+  set_selection(turn, std::move(selection));
 }
 
 /// A gesture is dropped by the engine before any action; then goes the selection, then the tool.

@@ -5,13 +5,9 @@
 #include <utility>
 
 #include "document/apply.h"
-#include "io/journal.h"
 
 namespace inkflate {
 namespace {
-
-/// A journal longer than this begins anew with the document as it is: reading it back would take too long.
-constexpr long long kLongestJournalBytes = 32LL << 20U;
 
 /// Pointers alone tell: documents between which nothing was done share everything.
 bool is_same(Document const& a, Document const& b) {
@@ -20,19 +16,22 @@ bool is_same(Document const& a, Document const& b) {
          a.template_picture == b.template_picture && a.pins == b.pins && a.clip == b.clip;
 }
 
-void write_journal(EditorTurn& turn, JournalEntry const& entry) {
-  auto& [state, changes, progress, argument] = turn;
-  auto line = journal_line(entry);
-  if (state.journal_bytes == 0 || state.journal_bytes + std::ssize(line) > kLongestJournalBytes) {
-    bool const is_first = state.journal_bytes == 0;
-    changes.is_journal_new = true;
-    changes.journal = journal_start();
-    // A long journal goes on from the document as it is now, after this entry.
-    if (!is_first) line = journal_line(JournalDo{{Replace{state.history.document()}}});
-    state.journal_bytes = std::ssize(changes.journal);
+/// The history has just taken a step: the journal takes it as well, and what is looked at follows.
+void take_entry(EditorTurn& turn, JournalEntry const& entry) {
+  auto& state = turn.state;
+  state.slider.reset();
+  auto written = state.journal.add(entry, state.history);
+  if (written.is_new) {
+    turn.changes.is_journal_new = true;
+    turn.changes.journal.clear();
   }
-  changes.journal += line;
-  state.journal_bytes += std::ssize(line);
+  turn.changes.journal += written.text;
+  follow_document(turn);
+}
+
+bool goes_on(EditorState const& state, std::string_view action,
+             std::vector<LayerId> const& layers) {
+  return state.slider && state.slider->action == action && state.slider->layers == layers;
 }
 
 }  // namespace
@@ -42,9 +41,11 @@ Document const& shown_document(EditorState const& state) {
 }
 
 bool has_rough_strokes(Document const& document) {
-  auto const is_open = [](auto const& layer) { return layer->layer.is_open; };
+  auto const is_rough = [](Shared<DocumentLayer> const& layer) {
+    return takes_strokes(layer->layer) && !layer->strokes.is_empty();
+  };
   return !document.loose.is_empty() ||
-         std::any_of(document.layers->begin(), document.layers->end(), is_open);
+         std::any_of(document.layers->begin(), document.layers->end(), is_rough);
 }
 
 bool is_saved(EditorState const& state) {
@@ -58,7 +59,8 @@ void say(EditorTurn& turn, Severity severity, Word word, std::vector<std::string
 
 void say(EditorTurn& turn, Error const& error) {
   if (error.code == ErrorCode::Cancelled) return say(turn, Severity::Status, Word::Cancelled);
-  say(turn, Severity::Problem, Word::CannotDo, {error.message});
+  bool const is_idle = error.code == ErrorCode::NothingThere;
+  say(turn, is_idle ? Severity::Warning : Severity::Problem, Word::CannotDo, {error.message});
 }
 
 bool commit(EditorTurn& turn, std::vector<Command> commands, std::string_view action) {
@@ -69,8 +71,7 @@ bool commit(EditorTurn& turn, std::vector<Command> commands, std::string_view ac
     say(turn, done.error());
     return false;
   }
-  write_journal(turn, JournalDo{std::move(commands), label});
-  follow_document(turn);
+  take_entry(turn, JournalDo{std::move(commands), label});
   return true;
 }
 
@@ -87,13 +88,40 @@ bool commit_if(EditorTurn& turn, Result<Command> const& command, std::string_vie
   return false;
 }
 
-bool commit_again(EditorTurn& turn, std::vector<Command> commands, std::string_view action) {
-  auto& history = turn.state.history;
-  bool const is_same_action =
-      history.can_undo() && !history.can_redo() && history.undo_label() == action_index(action);
+Document const& slider_base(EditorState const& state, std::string_view action,
+                            std::vector<LayerId> const& layers) {
+  return goes_on(state, action, layers) ? state.slider->before : state.history.document();
+}
+
+bool commit_value(EditorTurn& turn, std::vector<Command> commands, std::string_view action,
+                  std::vector<LayerId> const& layers) {
+  auto& state = turn.state;
+  bool const is_next = goes_on(state, action, layers);
+  Document const before = slider_base(state, action, layers);
   // Tried first, so that a refused value leaves the entry before as it is.
-  if (is_same_action && inkflate::apply(history.document(), commands)) undo_entry(turn);
-  return commit(turn, std::move(commands), action);
+  auto const tried = inkflate::apply(before, commands);
+  bool const is_back = !tried && is_next && tried.error().code == ErrorCode::NothingThere;
+  if (!tried && !is_back) {
+    say(turn, tried.error());
+    return false;
+  }
+  if (is_next) undo_entry(turn);
+  if (is_back) return true;
+  if (!commit(turn, std::move(commands), action)) return false;
+  state.slider = {action, layers, before};
+  return true;
+}
+
+std::vector<Command> without_idle(Document const& document, std::vector<Command> commands) {
+  std::vector<Command> result;
+  auto now = document;
+  for (auto const& command : commands) {
+    auto next = inkflate::apply(now, command);
+    if (!next && next.error().code == ErrorCode::NothingThere) continue;
+    if (next) now = *std::move(next);
+    result.push_back(command);
+  }
+  return result.empty() ? commands : result;
 }
 
 void end_gesture(EditorTurn& turn, std::string_view action) {
@@ -102,8 +130,7 @@ void end_gesture(EditorTurn& turn, std::string_view action) {
   if (!gesture || gesture->commands.empty()) return;
   int const label = action_index(action);
   state.history.push(std::move(gesture->document), label);
-  write_journal(turn, JournalDo{std::move(gesture->commands), label});
-  follow_document(turn);
+  take_entry(turn, JournalDo{std::move(gesture->commands), label});
 }
 
 void drop_gesture(EditorTurn& turn) {
@@ -117,25 +144,35 @@ void drop_gesture(EditorTurn& turn) {
 
 bool undo_entry(EditorTurn& turn) {
   if (!turn.state.history.undo()) return false;
-  write_journal(turn, JournalUndo{});
-  follow_document(turn);
+  take_entry(turn, JournalUndo{});
   return true;
 }
 
 bool redo_entry(EditorTurn& turn) {
   if (!turn.state.history.redo()) return false;
-  write_journal(turn, JournalRedo{});
-  follow_document(turn);
+  take_entry(turn, JournalRedo{});
   return true;
 }
 
-void follow_document(EditorTurn& turn) {
-  auto& [state, changes, progress, argument] = turn;
-  auto const& document = state.history.document();
-  std::erase_if(state.view.selection, [&](LayerId id) {
+void set_selection(EditorTurn& turn, std::vector<LayerId> layers) {
+  auto const& document = shown_document(turn.state);
+  std::erase_if(layers, [&](LayerId id) {
     auto const* const layer = find_layer(document, id);
     return layer == nullptr || layer->layer.is_hidden;
   });
+  std::sort(layers.begin(), layers.end());
+  layers.erase(std::unique(layers.begin(), layers.end()), layers.end());
+  auto& selection = turn.state.view.selection;
+  if (layers == selection) return;
+  selection = std::move(layers);
+  turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
+}
+
+void follow_document(EditorTurn& turn) {
+  auto& state = turn.state;
+  auto& changes = turn.changes;
+  auto const& document = state.history.document();
+  set_selection(turn, state.view.selection);
   if (find_layer(document, state.view.hover) == nullptr) state.view.hover = LayerId::None;
   state.is_preview_stale = has_rough_strokes(document);
   if (!state.is_preview_stale) state.preview = {};

@@ -9,6 +9,7 @@
 #include "document/history.h"
 #include "editor/actions.h"
 #include "editor/engine.h"
+#include "editor/journal_keeper.h"
 #include "editor/model_cache.h"
 #include "editor/route_pointer.h"
 #include "editor/tool.h"
@@ -24,19 +25,26 @@ struct Gesture {
   Document document;
 };
 
+/// The last entry, as long as nothing else was done: more values of the same slider may take its place.
+struct Slider {
+  std::string_view action;
+  std::vector<LayerId> layers;  // that it changes
+  Document before;              // the entry
+};
+
 /// Everything that an engine remembers between events.
 struct EditorState {
   History history{empty_document()};
   std::optional<Gesture> gesture;  // under way
-  Tool gesture_tool = Tool::Brush;
+  std::optional<Slider> slider;
   ToolState tool;
   PointerState pointers;
   View view;
   KeyMap keys;
   Language language = Language::English;
-  std::string file_name = "drawing";  // without extension
-  Document saved = empty_document();  // as it was saved or opened last
-  long long journal_bytes = 0;        // 0: not begun
+  std::string file_name = "drawing";    // without extension
+  Document saved = history.document();  // as it was saved or opened last
+  JournalKeeper journal;
   ShapePreviewer previewer;
   ShapePreview preview;
   bool is_preview_stale = false;
@@ -58,7 +66,7 @@ bool is_saved(EditorState const& state);
 
 void say(EditorTurn& turn, Severity severity, Word word, std::vector<std::string> arguments = {},
          std::optional<Rect> place = {});
-/// An error in words; nothing for NothingThere and Cancelled but what they say.
+/// An error in words.
 void say(EditorTurn& turn, Error const& error);
 
 /// One entry of the history, written into the journal. False: the document refused it, and that was said.
@@ -67,8 +75,20 @@ bool commit(EditorTurn& turn, std::vector<Command> commands, std::string_view ac
 bool commit_if(EditorTurn& turn, Result<Command> const& command, std::string_view action);
 bool commit_if(EditorTurn& turn, Result<std::vector<Command>> const& commands,
                std::string_view action);
-/// As commit, but takes the place of the entry before when that is of the same action: a slider that is dragged is one entry.
-bool commit_again(EditorTurn& turn, std::vector<Command> commands, std::string_view action);
+
+/// The document that a slider's next value changes: as it was before the entry that the value goes on with, or as it is.
+Document const& slider_base(EditorState const& state, std::string_view action,
+                            std::vector<LayerId> const& layers);
+/// As commit, for a value of a slider that changes these layers: a slider that is dragged is one entry, and none when it comes back to
+/// where it was.
+///
+/// in      commands: for slider_base()
+bool commit_value(EditorTurn& turn, std::vector<Command> commands, std::string_view action,
+                  std::vector<LayerId> const& layers);
+
+/// The commands without those that would change nothing; all of them when none would change anything. So that layers that are already
+/// as all of the selected shall be do not stand in the way.
+std::vector<Command> without_idle(Document const& document, std::vector<Command> commands);
 
 /// What the gesture has done becomes an entry.
 void end_gesture(EditorTurn& turn, std::string_view action);
@@ -77,6 +97,9 @@ void drop_gesture(EditorTurn& turn);
 
 bool undo_entry(EditorTurn& turn);
 bool redo_entry(EditorTurn& turn);
+
+/// Selects those of the layers that exist, with the gesture under way, and are not hidden.
+void set_selection(EditorTurn& turn, std::vector<LayerId> layers);
 
 /// The document is another one: what is looked at follows.
 void follow_document(EditorTurn& turn);

@@ -1,110 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/engine.h"
 
-#include <cmath>
 #include <utility>
 
-#include "document/apply.h"
 #include "editor/action_handlers.h"
 #include "editor/editor_state.h"
-#include "editor/pick.h"
+#include "editor/run_tool.h"
 #include "io/journal.h"
 
 namespace inkflate {
 namespace {
 
 constexpr double kLargestViewPx = 16384;
-
-/// Under which action the gestures of a tool are undone.
-std::string_view action_of(Tool tool) {
-  switch (tool) {
-    case Tool::Brush:
-      return "brush";
-    case Tool::HelpLine:
-      return "help_line";
-    case Tool::Eraser:
-      return "eraser";
-    case Tool::Mark:
-      return "mark";
-    case Tool::Select:
-      return "select_tool";
-    case Tool::Hand:
-      break;
-  }
-  return "hand";
-}
-
-/// Puts the commands of a step into the gesture. One that the document refuses leaves the gesture as it was.
-void change_gesture(EditorTurn& turn, Step& step) {
-  auto& state = turn.state;
-  if (step.effect == GestureEffect::None) return;
-  if (step.effect == GestureEffect::Replace && step.commands.empty()) {
-    state.gesture.reset();
-    turn.changes.is_scene_changed = true;
-    return;
-  }
-  bool const is_new = step.effect == GestureEffect::Replace || !state.gesture;
-  auto const& base = is_new ? state.history.document() : state.gesture->document;
-  auto next = inkflate::apply(base, step.commands);
-  turn.changes.is_scene_changed = true;
-  if (!next) {
-    if (step.is_end && next.error().code != ErrorCode::NothingThere) say(turn, next.error());
-    return;
-  }
-  if (is_new) {
-    state.gesture = Gesture{std::move(step.commands), std::move(*next)};
-    return;
-  }
-  state.gesture->document = std::move(*next);
-  for (auto& command : step.commands) state.gesture->commands.push_back(std::move(command));
-}
-
-void take_step(EditorTurn& turn, Tool tool, Step step) {
-  auto& [state, changes, progress, argument] = turn;
-  state.tool = std::move(step.state);
-  state.gesture_tool = tool;
-  change_gesture(turn, step);
-  if (step.is_end) end_gesture(turn, action_of(tool));
-  if (step.selection && *step.selection != state.view.selection) {
-    state.view.selection = *step.selection;
-    changes.is_state_changed = changes.is_scene_changed = true;
-  }
-  if (step.hover && *step.hover != state.view.hover) {
-    state.view.hover = *step.hover;
-    changes.is_scene_changed = true;
-  }
-  if (step.camera) state.view.camera = *step.camera;
-  bool const is_seen = step.camera || !std::holds_alternative<ToolIdle>(state.tool) || step.is_end;
-  if (is_seen) changes.is_scene_changed = true;
-  if (!step.action.empty()) run_action(turn, step.action, step.argument);
-}
-
-/// A double click with the brush means the part under it, as long as nothing else is being drawn: the dot of the first click is taken back
-/// and the part gets its copy.
-bool take_double_click(EditorTurn& turn, Tool tool, ToolEvent const& event) {
-  auto& state = turn.state;
-  auto const* const press = std::get_if<ToolPress>(&event);
-  bool const is_double = press != nullptr && press->clicks == 2 && tool == Tool::Brush;
-  auto const& document = state.history.document();
-  if (!is_double || document.loose.size() != 1) return false;
-  if (document.loose[0]->stroke.samples.size() != 1) return false;
-  bool const is_far = press->pointer.is_secondary;
-  auto const layer = pick_layer(document, press->pointer.canvas, 0,
-                                is_far ? PickDepth::Farthest : PickDepth::Nearest);
-  if (layer == LayerId::None || !undo_entry(turn)) return false;
-  state.pointers = drop_pointers(state.pointers).state;
-  run_action(turn, is_far ? "duplicate_before" : "duplicate_behind",
-             std::to_string(static_cast<int>(layer)));
-  return true;
-}
-
-void run_tool(EditorTurn& turn, ToTool const& routed) {
-  auto& state = turn.state;
-  if (take_double_click(turn, routed.tool, routed.event)) return;
-  auto const step = tool_step(routed.tool, std::move(state.tool), routed.event,
-                              {shown_document(state), state.view});
-  take_step(turn, routed.tool, step);
-}
 
 void take_routed(EditorTurn& turn, Routed const& routed) {
   auto& [state, changes, progress, argument] = turn;
@@ -166,7 +73,7 @@ void take(EditorTurn& turn, KeyEvent const& event) {
 }
 
 void take(EditorTurn& turn, FileEvent const& event) {
-  if (is_in_gesture(turn.state)) stop_hand(turn);
+  stop_hand(turn);
   open_file(turn, event);
 }
 
@@ -187,6 +94,11 @@ void make_model(EditorTurn& turn) {
   turn.changes.is_state_changed = true;
   if (made.error().code == ErrorCode::Cancelled) return say(turn, made.error());
   say(turn, Severity::Problem, Word::ModelFault, {made.error().message});
+}
+
+/// What is down was about what is no longer seen.
+void follow_mode(EditorTurn& turn, Mode before) {
+  if (turn.state.view.mode != before) stop_hand(turn);
 }
 
 bool is_model_wanted(EditorState const& state) {
@@ -216,7 +128,9 @@ Engine& Engine::operator=(Engine&&) noexcept = default;
 Changes Engine::handle(Event const& event) {
   Changes changes;
   EditorTurn turn = {inside_->state, changes, inside_->progress};
+  auto const mode = turn.state.view.mode;
   std::visit([&](auto const& each) { take(turn, each); }, event);
+  follow_mode(turn, mode);
   return changes;
 }
 
@@ -229,8 +143,10 @@ Changes Engine::work() {
   Changes changes;
   auto& state = inside_->state;
   EditorTurn turn = {state, changes, inside_->progress};
+  auto const mode = state.view.mode;
   if (is_model_wanted(state)) {
     make_model(turn);
+    follow_mode(turn, mode);
   } else if (state.is_preview_stale) {
     state.preview = state.previewer.preview(state.history.document(), inside_->progress);
     state.is_preview_stale = false;
@@ -249,17 +165,23 @@ Changes Engine::recover(std::span<std::byte const> journal) {
     return changes;
   }
   stop_hand(turn);
+  state.journal.resume(*read);
+  state.slider.reset();
   state.history = std::move(read->history);
   state.saved = empty_document();
+  state.view.selection.clear();
   // What was whole goes on as the new journal; what was torn is gone for good.
   for (auto const byte : journal.first(read->bytes)) {
     changes.journal.push_back(static_cast<char>(byte));
   }
   changes.is_journal_new = true;
-  state.journal_bytes = std::ssize(changes.journal);
   follow_document(turn);
   fit_paper(turn);
-  say(turn, Severity::Status, Word::Recovered);
+  if (read->is_damaged) {
+    say(turn, Severity::Warning, Word::RecoveredInPart);
+  } else {
+    say(turn, Severity::Status, Word::Recovered);
+  }
   return changes;
 }
 

@@ -24,9 +24,7 @@ Result<ModelScene> model_of(ExportRequest const& request, ModelCache& cache,
     auto const made = cache.make(request.document, progress);
     if (!made) return made.error();
   }
-  auto scene = cache.scene(request.view.model, request.view.shading);
-  if (!scene) return Error{ErrorCode::NothingThere, "there is no part yet that could be inflated"};
-  return *std::move(scene);
+  return *cache.scene(request.view.model, request.view.shading);
 }
 
 Result<std::vector<std::byte>> print_of(RestModel const& model, Drawing const& drawing,

@@ -106,10 +106,6 @@ Result<Document> document_of(ReadDocument read, Progress const& progress) {
     if (!sketch) return sketch.error();
     read.project.drawing.sketch = std::move(*sketch);
   }
-  auto& drawing = read.project.drawing;
-  if (drawing.layers.empty() && drawing.stray.empty()) {
-    for (int i = 0; i < std::ssize(drawing.sketch.strokes); ++i) drawing.stray.push_back(i);
-  }
   return make_document(read.project);
 }
 
@@ -141,13 +137,15 @@ void open_file(EditorTurn& turn, FileEvent const& file) {
   if (file.use == FileUse::Template) return set_template(turn, file);
   auto read = read_document(file.bytes);
   if (!read) return say_unreadable(turn, read.error());
-  auto document = document_of(std::move(*read), turn.progress);
+  auto const warnings = read->warnings;
+  auto document = document_of(*std::move(read), turn.progress);
   if (!document) return say_unreadable(turn, document.error());
   if (file.use == FileUse::Add && !is_blank(turn.state.history.document())) {
     add_document(turn, *document, file.name);
   } else {
     open_document(turn, std::move(*document), file.name);
   }
+  for (auto const& warning : warnings) say(turn, Severity::Warning, Word::LeftOut, {warning});
 }
 
 }  // namespace inkflate

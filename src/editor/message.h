@@ -31,6 +31,7 @@ enum class Word {
   Saved,
   Exported,
   Recovered,
+  RecoveredInPart,
   Undone,  // {0}: the name of an action
   Redone,
   // Warnings and problems
@@ -38,10 +39,10 @@ enum class Word {
   NotClosed,
   NothingToInflate,
   NothingSelected,
-  LayerLocked,  // {0}: its name
   NothingToUndo,
   NothingToRedo,
   CannotRead,  // {0}: a reason
+  LeftOut,     // {0}: what of a file was not read
   CannotDo,    // {0}: a reason
   Cancelled,
   ModelFault,  // {0}: a reason

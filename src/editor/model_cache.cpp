@@ -18,13 +18,11 @@ Result<bool> ModelCache::make(Document const& document, Progress const& progress
   bool const is_cancelled =
       model ? !progress.enter("texture") : model.error().code == ErrorCode::Cancelled;
   if (is_cancelled) return Error{ErrorCode::Cancelled, "stopped on request"};
+  if (!model) return model.error();
   auto const& picture = document.template_picture;
   layers_ = document.layers;
   template_picture_ = picture;
   ++id_;
-  model_ = nullptr;
-  texture_ = nullptr;
-  if (!model) return model.error();
   auto texture = picture ? wear_picture(*picture, *model) : bake_texture(drawing, *model);
   model_ = std::make_shared<RestModel const>(std::move(*model));
   texture_ = std::make_shared<Texture const>(std::move(texture));

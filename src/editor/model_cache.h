@@ -15,7 +15,7 @@ namespace inkflate {
 class ModelCache {
  public:
   bool is_current(Document const& document) const;
-  /// errors  those of run_inflate. Then the cache is current, but empty, unless it was cancelled
+  /// errors  those of run_inflate. Then the cache is as it was before, and not current
   Result<bool> make(Document const& document, Progress const& progress);
   /// The last one that was made, seen like this; none: there is none.
   std::optional<ModelScene> scene(ModelView const& view, Shading shading) const;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "document/apply.h"
 #include "editor/action_handlers.h"
 #include "editor/layer_commands.h"
 #include "io/svg_colour.h"
@@ -26,50 +27,48 @@ bool is_something_selected(EditorTurn& turn) {
   return false;
 }
 
-void rename(EditorTurn& turn) {
+/// A value of every selected layer, as a slider sets it.
+template <typename MakeCommand>
+void set_value(EditorTurn& turn, std::string_view action, MakeCommand make_command) {
   if (!is_something_selected(turn)) return;
-  auto const& name = turn.argument;
-  commit_again(turn,
-               for_selection(turn,
-                             [&](LayerId id) {
-                               return RenameLayer{id, name};
-                             }),
-               "rename_part");
+  auto const layers = turn.state.view.selection;
+  auto const& base = slider_base(turn.state, action, layers);
+  commit_value(turn, without_idle(base, for_selection(turn, make_command)), action, layers);
+}
+
+void rename(EditorTurn& turn) {
+  set_value(turn, "rename_part", [&](LayerId id) { return RenameLayer{id, turn.argument}; });
 }
 
 void set_thickness(EditorTurn& turn) {
   auto const thickness = number_of(turn.argument);
   if (!thickness) return refuse_argument(turn);
-  if (!is_something_selected(turn)) return;
-  commit_again(turn,
-               for_selection(turn,
-                             [&](LayerId id) {
-                               return SetThickness{id, *thickness};
-                             }),
-               "thickness");
+  set_value(turn, "thickness", [&](LayerId id) { return SetThickness{id, *thickness}; });
 }
 
 /// "none" for the default of whoever draws it.
 void set_fill(EditorTurn& turn) {
   auto const fill = turn.argument == "none" ? std::nullopt : parse_colour(turn.argument);
   if (!fill && turn.argument != "none") return refuse_argument(turn);
-  if (!is_something_selected(turn)) return;
-  commit_again(turn, for_selection(turn, [&](LayerId id) { return SetFill{id, fill}; }), "fill");
+  set_value(turn, "fill", [&](LayerId id) { return SetFill{id, fill}; });
 }
 
-/// The layer whose id the argument is: rows of a list act on their own layer, and a hidden one cannot be selected.
-DocumentLayer const* argued_layer(EditorTurn const& turn) {
+/// Turns a claim about the layer whose id the argument is round: rows of a list act on their own layer, and a hidden one cannot be
+/// selected.
+template <typename SetClaim>
+void turn_round(EditorTurn& turn, std::string_view action, bool Layer::*claim) {
   auto const id = number_of(turn.argument);
-  if (!id || *id < 1 || *id > 2e9) return nullptr;
-  return find_layer(turn.state.history.document(), static_cast<LayerId>(static_cast<int>(*id)));
+  bool const is_id = id && *id >= 1 && *id <= DocumentLimits::kIds;
+  auto const layer = is_id ? LayerId{static_cast<int>(*id)} : LayerId::None;
+  auto const* const found = find_layer(turn.state.history.document(), layer);
+  if (found == nullptr) return refuse_argument(turn);
+  commit(turn, std::vector<Command>{SetClaim{layer, !(found->layer.*claim)}}, action);
 }
 
 /// Hides the selection; of a layer that is named, turns it round.
 void hide(EditorTurn& turn) {
-  if (auto const* const layer = argued_layer(turn)) {
-    commit(turn, std::vector<Command>{SetHidden{layer->layer.id, !layer->layer.is_hidden}},
-           "hide_part");
-    return;
+  if (!turn.argument.empty()) {
+    return turn_round<SetHidden>(turn, "hide_part", &Layer::is_hidden);
   }
   if (!is_something_selected(turn)) return;
   commit(turn, for_selection(turn, [](LayerId id) { return SetHidden{id, true}; }), "hide_part");
@@ -77,10 +76,8 @@ void hide(EditorTurn& turn) {
 
 /// Locks the selection, or frees it when all of it is locked; of a layer that is named, turns it round.
 void lock(EditorTurn& turn) {
-  if (auto const* const layer = argued_layer(turn)) {
-    commit(turn, std::vector<Command>{SetLocked{layer->layer.id, !layer->layer.is_locked}},
-           "lock_part");
-    return;
+  if (!turn.argument.empty()) {
+    return turn_round<SetLocked>(turn, "lock_part", &Layer::is_locked);
   }
   if (!is_something_selected(turn)) return;
   auto const& document = turn.state.history.document();
@@ -89,12 +86,8 @@ void lock(EditorTurn& turn) {
     auto const* const layer = find_layer(document, id);
     return layer != nullptr && !layer->layer.is_locked;
   });
-  commit(turn,
-         for_selection(turn,
-                       [&](LayerId id) {
-                         return SetLocked{id, is_any_free};
-                       }),
-         "lock_part");
+  auto const set_locked = [&](LayerId id) { return SetLocked{id, is_any_free}; };
+  commit(turn, without_idle(document, for_selection(turn, set_locked)), "lock_part");
 }
 
 void move_to(EditorTurn& turn) {

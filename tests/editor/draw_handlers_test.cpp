@@ -102,6 +102,22 @@ TEST(DrawHandlers, ASelectedPartIsClosedAnewWithAnotherGap) {
   EXPECT_FALSE(artist.document().layers->at(0)->layer.is_open);
 }
 
+TEST(DrawHandlers, AGapThatHasTornAPartApartPutsItTogetherAgain) {
+  Artist artist;
+  // Two discs whose strokes go over from one to the other.
+  artist.draw({{500, 400}, {300, 300}, {300, 700}, {500, 600}});
+  artist.draw({{520, 600}, {700, 700}, {700, 300}, {520, 400}});
+  artist.key("Enter");
+  ASSERT_EQ(artist.document().layers->size(), 1U);
+  double const before = area(artist);
+  artist.act("select_all");
+  artist.act("gap", "300");
+  artist.act("gap", "200");
+  artist.act("gap", "60");
+  EXPECT_EQ(artist.document().layers->at(0)->strokes.size(), 2);
+  EXPECT_NEAR(area(artist), before, 0.01 * before);
+}
+
 TEST(DrawHandlers, AMarkOutsideOpensABayAndAMarkInsideFillsIt) {
   Artist artist;
   draw_u(artist);

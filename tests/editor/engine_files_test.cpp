@@ -203,6 +203,78 @@ TEST(EngineFiles, ATornJournalIsTakenUpAtItsLastWholeLine) {
   EXPECT_EQ(changes.journal.size(), whole);
 }
 
+TEST(EngineFiles, AJournalThatIsDamagedInTheMiddleIsSaidToBe) {
+  auto artist = with_disc();
+  auto const whole = artist.journal.size();
+  artist.draw({{100, 100}, {200, 100}});
+  artist.draw({{100, 100}, {200, 300}});
+  artist.journal[whole + 30] ^= 1;
+  Artist next;
+  auto const changes = next.engine().recover(bytes_of(artist.journal));
+  ASSERT_EQ(changes.messages.size(), 1U);
+  EXPECT_EQ(changes.messages[0].word, Word::RecoveredInPart);
+  EXPECT_EQ(changes.messages[0].severity, Severity::Warning);
+  EXPECT_EQ(changes.journal.size(), whole);
+}
+
+TEST(EngineFiles, RecoveryBeginsWithoutASelection) {
+  auto const artist = with_disc();
+  auto next = with_disc();
+  next.act("select_all");
+  next.engine().recover(bytes_of(artist.journal));
+  EXPECT_TRUE(next.state().view.selection.empty());
+}
+
+TEST(EngineFiles, RecoveryInTheMiddleOfALineDropsTheLine) {
+  auto const artist = with_disc();
+  Artist next;
+  next.press({100, 100});
+  next.move({200, 200});
+  next.engine().recover(bytes_of(artist.journal));
+  next.move({300, 200});
+  next.release({300, 200});
+  EXPECT_EQ(hash_of(next), hash_of(artist));
+}
+
+TEST(EngineFiles, OpeningInTheMiddleOfALineDropsTheLine) {
+  auto artist = with_disc();
+  artist.act("save");
+  Artist next;
+  next.press({100, 100});
+  next.move({200, 200});
+  next.send(file_of(artist.files.at(0)));
+  next.move({300, 200});
+  next.release({300, 200});
+  EXPECT_EQ(hash_of(next), hash_of(artist));
+}
+
+TEST(EngineFiles, WhatOfAFileWasLeftOutIsSaid) {
+  Artist artist;
+  std::string const svg = R"(<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">)"
+                          R"(<text>words</text><path d="M1 1 L8 8" stroke="black"/></svg>)";
+  auto const bytes = bytes_of(svg);
+  artist.send(FileEvent{{bytes.begin(), bytes.end()}, "a.svg"});
+  EXPECT_TRUE(has_said(artist, Word::LeftOut));
+}
+
+TEST(EngineFiles, WhatIsTooMuchForOneDrawingIsNotAdded) {
+  Artist artist;
+  artist.draw_circle(kMiddle, 100);
+  artist.key("Enter");
+  artist.key("a", {.is_ctrl = true});
+  for (int i = 0; i < 9; ++i) {
+    artist.key("d", {.is_ctrl = true});
+    artist.key("a", {.is_ctrl = true});
+  }
+  ASSERT_EQ(artist.document().layers->size(), 512U);
+  artist.act("save");
+  artist.key("d", {.is_ctrl = true});
+  auto const before = hash_of(artist);
+  artist.send(file_of(artist.files.at(0), FileUse::Add));
+  EXPECT_TRUE(has_said(artist, Word::CannotDo));
+  EXPECT_EQ(hash_of(artist), before);
+}
+
 TEST(EngineFiles, WhatIsNoJournalIsSaid) {
   Artist artist;
   auto const changes = artist.engine().recover(bytes_of("once upon a time"));

@@ -282,6 +282,109 @@ TEST(Engine, AFileInTheMiddleOfAStrokeDropsTheStroke) {
   EXPECT_TRUE(is_blank(artist.document()));
 }
 
+TEST(Engine, ADoubleClickAfterSomethingElseTakesNothingBack) {
+  Artist artist;
+  artist.draw_circle(kMiddle, 200);
+  artist.key("Enter");
+  artist.act("select_all");
+  artist.click(kMiddle);
+  artist.act("thickness", "5");
+  int const before = artist.engine().history().position();
+  artist.click_again(kMiddle);
+  EXPECT_EQ(only_layer(artist).thickness, 5);
+  EXPECT_EQ(artist.engine().history().position(), before + 1);
+}
+
+TEST(Engine, ADoubleClickOnAPartThatIsDrawnAgainDrawsDots) {
+  Artist artist;
+  artist.draw_circle(kMiddle, 200);
+  artist.key("Enter");
+  artist.click(kMiddle);
+  artist.act("select_all");
+  artist.act("open_part");
+  artist.double_click(kMiddle);
+  EXPECT_EQ(artist.document().layers->size(), 1U);
+  EXPECT_EQ(artist.document().loose.size(), 1);
+}
+
+TEST(Engine, ANewOneHasNothingToSave) { EXPECT_TRUE(Artist().state().is_saved); }
+
+TEST(Engine, WhatIsUndoneToTheBeginningHasNothingToSave) {
+  Artist artist;
+  artist.draw({{100, 100}, {200, 100}});
+  EXPECT_FALSE(artist.state().is_saved);
+  artist.act("undo");
+  EXPECT_TRUE(artist.state().is_saved);
+}
+
+TEST(Engine, AnotherModeEndsWhatTheHandWasDoing) {
+  Artist artist;
+  artist.draw_circle(kMiddle, 200);
+  artist.key("2");
+  artist.press(kMiddle);
+  artist.move({600, 500});
+  artist.key("1");
+  double const turn_rad = artist.state().view.model.turn_rad;
+  artist.move({700, 500});
+  artist.release({700, 500});
+  EXPECT_EQ(artist.state().view.model.turn_rad, turn_rad);
+  EXPECT_TRUE(artist.document().loose.is_empty());
+}
+
+TEST(Engine, CopiesThatCannotBeMadeAreNotSelected) {
+  Artist artist;
+  artist.draw_circle(kMiddle, 100);
+  artist.key("Enter");
+  for (int i = 0; i < 10; ++i) {
+    artist.act("select_all");
+    artist.act("duplicate");
+  }
+  ASSERT_EQ(artist.document().layers->size(), 1024U);
+  artist.act("select_all");
+  artist.act("select_tool");
+  artist.draw({kMiddle, {700, 500}}, PointerButton::Primary, {.is_alt = true});
+  EXPECT_EQ(artist.document().layers->size(), 1024U);
+  for (auto const id : artist.state().view.selection) {
+    EXPECT_NE(find_layer(artist.document(), id), nullptr);
+  }
+}
+
+TEST(Engine, APartThatIsLockedWhileItIsOpenDoesNotStandInTheWay) {
+  Artist artist;
+  artist.draw_circle({300, 300}, 100);
+  artist.key("Enter");
+  artist.act("select_all");
+  artist.act("open_part");
+  artist.act("lock_part", "1");
+  artist.draw_circle({700, 700}, 100);
+  artist.act("gap", "60");
+  EXPECT_EQ(artist.state().choice.gap_px, 60);
+  artist.key("Enter");
+  ASSERT_EQ(artist.document().layers->size(), 2U);
+  EXPECT_FALSE(artist.document().layers->at(1)->layer.is_open);
+  EXPECT_FALSE(artist.state().has_rough_strokes);
+  artist.act("lock_part", "1");
+  EXPECT_TRUE(artist.state().has_rough_strokes);
+}
+
+TEST(Engine, APartThatIsHiddenWhileItIsOpenIsNotRubbedOut) {
+  Artist artist;
+  artist.draw_circle(kMiddle, 200);
+  artist.key("Enter");
+  artist.act("select_all");
+  artist.act("open_part");
+  artist.act("hide_part", "1");
+  auto const before = hash_of(artist);
+  artist.draw({{200, 700}, {800, 700}});
+  artist.act("eraser");
+  artist.draw({{300, 500}, {300, 700}});
+  artist.act("undo");
+  artist.act("undo");
+  EXPECT_EQ(hash_of(artist), before);
+  artist.act("hide_part", "1");
+  EXPECT_EQ(artist.document().layers->at(0)->strokes.size(), 2);
+}
+
 TEST(Engine, SpaceHeldPansAndDrawsNothing) {
   Artist artist;
   KeyEvent space;

@@ -59,6 +59,70 @@ TEST_F(PartHandlers, ASliderThatIsDraggedIsOneEntry) {
   EXPECT_EQ(layer(2).thickness, 4);
 }
 
+TEST_F(PartHandlers, ASliderOfAnotherPartIsAnotherEntry) {
+  artist.act("thickness", "3");
+  artist.act("select", "1");
+  artist.act("thickness", "4");
+  EXPECT_EQ(layer(2).thickness, 3);
+  EXPECT_EQ(layer(1).thickness, 4);
+  artist.act("undo");
+  EXPECT_EQ(layer(1).thickness, 2);
+  EXPECT_EQ(layer(2).thickness, 3);
+}
+
+TEST_F(PartHandlers, ASliderAfterSomethingElseIsAnotherEntry) {
+  artist.act("thickness", "3");
+  artist.act("hide_part", "1");
+  artist.act("undo");
+  artist.act("thickness", "4");
+  artist.act("undo");
+  EXPECT_EQ(layer(2).thickness, 3);
+}
+
+TEST_F(PartHandlers, ASliderThatComesBackToWhereItWasIsNoEntry) {
+  int const before = artist.engine().history().position();
+  artist.act("thickness", "3");
+  artist.act("thickness", "2");
+  EXPECT_EQ(layer(2).thickness, 2);
+  EXPECT_EQ(artist.engine().history().position(), before);
+  EXPECT_TRUE(artist.messages.empty());
+}
+
+TEST_F(PartHandlers, ARefusedValueLeavesTheSliderWhereItWas) {
+  artist.act("thickness", "3");
+  artist.act("thickness", "1000");
+  EXPECT_EQ(layer(2).thickness, 3);
+  EXPECT_EQ(said(), Word::CannotDo);
+}
+
+TEST_F(PartHandlers, PartsThatAreSoAlreadyDoNotStandInTheWay) {
+  artist.act("thickness", "3");
+  artist.act("select_all");
+  artist.act("thickness", "3");
+  EXPECT_EQ(layer(1).thickness, 3);
+  artist.act("lock_part", "2");
+  artist.act("lock_part");
+  EXPECT_TRUE(layer(1).is_locked);
+  EXPECT_TRUE(layer(2).is_locked);
+}
+
+TEST_F(PartHandlers, APartThatThereIsNotIsNeitherHiddenNorTheSelectionInItsPlace) {
+  for (auto const* const action : {"hide_part", "lock_part"}) {
+    for (auto const* const argument : {"77", "-1", "1e300", "head"}) {
+      artist.act(action, argument);
+      EXPECT_EQ(said(), Word::CannotDo);
+      EXPECT_FALSE(layer(2).is_hidden);
+      EXPECT_FALSE(layer(2).is_locked);
+    }
+  }
+}
+
+TEST_F(PartHandlers, HiddenPartsCannotBeSelected) {
+  artist.act("hide_part", "1");
+  artist.act("select", "1 2");
+  EXPECT_EQ(artist.state().view.selection, std::vector<LayerId>{LayerId{2}});
+}
+
 TEST_F(PartHandlers, ArgumentsThatAreNoneAreRefused) {
   for (auto const* const action : {"thickness", "fill", "move_part"}) {
     artist.messages.clear();

@@ -69,6 +69,11 @@ class Artist {
 
   void double_click(Vec2 at, PointerButton button = PointerButton::Primary) {
     click(at, button);
+    click_again(at, button);
+  }
+
+  /// The second click of a double click.
+  void click_again(Vec2 at, PointerButton button = PointerButton::Primary) {
     time_s_ -= 0.9;
     click(at, button);
   }
