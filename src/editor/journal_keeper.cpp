@@ -8,9 +8,6 @@
 namespace inkflate {
 namespace {
 
-/// Reading back a longer journal would take too long.
-constexpr long long kLongestBytes = 32LL << 20U;
-
 /// A document that is long itself must not be written again with every entry.
 constexpr long long kGrowth = 2;
 
@@ -21,7 +18,7 @@ bool JournalKeeper::can_step(JournalEntry const& entry, int position) const {
 }
 
 bool JournalKeeper::is_full(std::string const& line) const {
-  return bytes_ + std::ssize(line) > std::max(kLongestBytes, most_bytes_) ||
+  return bytes_ + std::ssize(line) > std::max(longest_bytes_, most_bytes_) ||
          lines_ >= kMostJournalLines;
 }
 

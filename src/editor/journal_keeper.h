@@ -20,6 +20,12 @@ struct JournalText {
 /// before; where the history goes back there, the journal has the document itself instead of a step.
 class JournalKeeper {
  public:
+  /// Reading back a longer journal would take too long.
+  static constexpr long long kLongestBytes = 32LL << 20U;
+
+  /// longest_bytes: of the journal before it begins anew, > 0
+  explicit JournalKeeper(long long longest_bytes = kLongestBytes) : longest_bytes_(longest_bytes) {}
+
   /// in      entry: what has just been done to the history, which began with the empty document
   JournalText add(JournalEntry const& entry, History const& history);
 
@@ -31,6 +37,7 @@ class JournalKeeper {
   bool can_step(JournalEntry const& entry, int position) const;
   bool is_full(std::string const& line) const;
 
+  long long longest_bytes_ = kLongestBytes;
   long long bytes_ = 0;  // 0: not begun
   long long most_bytes_ = 0;
   int lines_ = 0;  // after the start

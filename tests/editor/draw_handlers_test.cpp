@@ -6,13 +6,6 @@
 namespace inkflate {
 namespace {
 
-bool has_said(Artist const& artist, Word word) {
-  for (auto const& message : artist.messages) {
-    if (message.word == word) return true;
-  }
-  return false;
-}
-
 double area(Artist const& artist, std::size_t layer = 0) {
   double sum = 0;
   for (auto const& outline : artist.document().layers->at(layer)->layer.outlines) {
@@ -31,7 +24,7 @@ TEST(DrawHandlers, StrokesThatEncloseNothingAreSaidWithTheirPlace) {
   Artist artist;
   artist.draw({{100, 100}, {150, 100}});
   artist.key("Enter");
-  ASSERT_TRUE(has_said(artist, Word::NotClosed));
+  ASSERT_TRUE(artist.has_said(Word::NotClosed));
   EXPECT_TRUE(artist.messages.back().place);
   EXPECT_EQ(artist.document().loose.size(), 1);
 }
@@ -56,7 +49,7 @@ TEST(DrawHandlers, NoGapIsSaidToo) {
   Artist artist;
   artist.draw_circle({500, 500}, 200, 0);
   artist.key("Enter");
-  EXPECT_TRUE(has_said(artist, Word::ClosedNoGap));
+  EXPECT_TRUE(artist.has_said(Word::ClosedNoGap));
 }
 
 TEST(DrawHandlers, TheGapLimitsWhatIsClosed) {
@@ -65,7 +58,7 @@ TEST(DrawHandlers, TheGapLimitsWhatIsClosed) {
   artist.act("gap", "10");
   EXPECT_EQ(artist.state().choice.gap_px, 10);
   artist.key("Enter");
-  EXPECT_TRUE(has_said(artist, Word::NotClosed));
+  EXPECT_TRUE(artist.has_said(Word::NotClosed));
   artist.act("gap", "auto");
   EXPECT_FALSE(artist.state().choice.gap_px);
   artist.key("Enter");
@@ -85,7 +78,7 @@ TEST(DrawHandlers, GapsThatAreNoneAreRefused) {
   for (auto const* const gap : {"", "0", "-5", "wide", "nan"}) {
     artist.messages.clear();
     artist.act("gap", gap);
-    EXPECT_TRUE(has_said(artist, Word::CannotDo)) << gap;
+    EXPECT_TRUE(artist.has_said(Word::CannotDo)) << gap;
   }
 }
 
@@ -161,9 +154,9 @@ TEST(DrawHandlers, MarksOfAnOpenPartAreItsOwn) {
 TEST(DrawHandlers, MarksNeedAPlaceAndSomethingToMark) {
   Artist artist;
   artist.act("mark_outside", "over there");
-  EXPECT_TRUE(has_said(artist, Word::CannotDo));
+  EXPECT_TRUE(artist.has_said(Word::CannotDo));
   artist.act("mark_inside", "5,5");
-  EXPECT_TRUE(has_said(artist, Word::NothingRough));
+  EXPECT_TRUE(artist.has_said(Word::NothingRough));
 }
 
 TEST(DrawHandlers, AMarkThatWouldLeaveNothingIsSaidAndChangesNothing) {
@@ -172,7 +165,7 @@ TEST(DrawHandlers, AMarkThatWouldLeaveNothingIsSaidAndChangesNothing) {
   artist.key("Enter");
   double const before = area(artist);
   artist.act("mark_outside", "500,500");
-  EXPECT_TRUE(has_said(artist, Word::CannotDo) || area(artist) != before);
+  EXPECT_TRUE(artist.has_said(Word::CannotDo) || area(artist) != before);
   EXPECT_FALSE(artist.document().layers->at(0)->layer.is_open);
 }
 
@@ -182,7 +175,7 @@ TEST(DrawHandlers, SimplifyCanBeCancelled) {
   artist.draw_circle({500, 500}, 200);
   is_cancelled = true;
   artist.key("Enter");
-  EXPECT_TRUE(has_said(artist, Word::Cancelled));
+  EXPECT_TRUE(artist.has_said(Word::Cancelled));
   EXPECT_EQ(artist.document().loose.size(), 2);
 }
 

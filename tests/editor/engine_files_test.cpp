@@ -5,7 +5,6 @@
 
 #include "base/rng.h"
 #include "editor/engine.h"
-#include "io/document_hash.h"
 #include "io/journal.h"
 #include "io/read_document.h"
 #include "io/write_png.h"
@@ -15,19 +14,6 @@ namespace inkflate {
 namespace {
 
 constexpr Vec2 kMiddle = {500, 500};
-
-std::uint64_t hash_of(Artist const& artist) { return document_hash(to_project(artist.document())); }
-
-bool has_said(Artist const& artist, Word word) {
-  for (auto const& message : artist.messages) {
-    if (message.word == word) return true;
-  }
-  return false;
-}
-
-std::span<std::byte const> bytes_of(std::string const& text) {
-  return std::as_bytes(std::span(text.data(), text.size()));
-}
 
 Artist with_disc() {
   Artist artist;
@@ -50,9 +36,9 @@ TEST(EngineFiles, WhatIsSavedOpensAsTheSame) {
   EXPECT_EQ(artist.files[0].name, "drawing.inkflate");
   Artist other;
   other.send(file_of(artist.files[0]));
-  EXPECT_EQ(hash_of(other), hash_of(artist));
+  EXPECT_EQ(other.hash(), artist.hash());
   EXPECT_TRUE(other.state().is_saved);
-  EXPECT_TRUE(has_said(other, Word::Opened));
+  EXPECT_TRUE(other.has_said(Word::Opened));
 }
 
 TEST(EngineFiles, OpeningCanBeUndone) {
@@ -60,21 +46,21 @@ TEST(EngineFiles, OpeningCanBeUndone) {
   artist.act("save");
   auto const file = artist.files[0];
   artist.draw({{100, 100}, {200, 100}});
-  auto const before = hash_of(artist);
+  auto const before = artist.hash();
   artist.send(file_of(file));
-  EXPECT_NE(hash_of(artist), before);
+  EXPECT_NE(artist.hash(), before);
   artist.act("undo");
-  EXPECT_EQ(hash_of(artist), before);
+  EXPECT_EQ(artist.hash(), before);
   EXPECT_FALSE(artist.state().is_saved);
 }
 
 TEST(EngineFiles, NewCanBeUndone) {
   auto artist = with_disc();
-  auto const before = hash_of(artist);
+  auto const before = artist.hash();
   artist.act("new");
   EXPECT_TRUE(is_blank(artist.document()));
   artist.act("undo");
-  EXPECT_EQ(hash_of(artist), before);
+  EXPECT_EQ(artist.hash(), before);
   Artist fresh;
   fresh.act("new");
   EXPECT_FALSE(fresh.engine().history().can_undo());
@@ -116,19 +102,19 @@ TEST(EngineFiles, AScanOpensAsItsStrokes) {
   EXPECT_TRUE(artist.state().has_rough_strokes);
   Artist blank;
   blank.send(FileEvent{write_png(Picture(64, 64, {255, 255, 255})), "blank.png", FileUse::Open});
-  EXPECT_TRUE(has_said(blank, Word::CannotRead));
+  EXPECT_TRUE(blank.has_said(Word::CannotRead));
 }
 
 TEST(EngineFiles, AFileThatIsNoneIsSaidAndChangesNothing) {
   auto artist = with_disc();
-  auto const before = hash_of(artist);
+  auto const before = artist.hash();
   for (auto const use : {FileUse::Open, FileUse::Add, FileUse::Template}) {
     artist.messages.clear();
     auto const bytes = bytes_of("this is a letter");
     artist.send(FileEvent{{bytes.begin(), bytes.end()}, "letter.txt", use});
-    EXPECT_TRUE(has_said(artist, Word::CannotRead));
+    EXPECT_TRUE(artist.has_said(Word::CannotRead));
   }
-  EXPECT_EQ(hash_of(artist), before);
+  EXPECT_EQ(artist.hash(), before);
 }
 
 TEST(EngineFiles, ATemplateIsPutUnderTheDrawingAndTakenAway) {
@@ -167,10 +153,10 @@ TEST(EngineFiles, APictureShowsTheModelWhereThatIsLookedAt) {
 TEST(EngineFiles, WhatCannotBeExportedIsSaid) {
   auto artist = with_disc();
   artist.act("export_as", "fbx");
-  EXPECT_TRUE(has_said(artist, Word::CannotDo));
+  EXPECT_TRUE(artist.has_said(Word::CannotDo));
   Artist empty;
   empty.act("export_as", "glb");
-  EXPECT_TRUE(has_said(empty, Word::CannotDo));
+  EXPECT_TRUE(empty.has_said(Word::CannotDo));
   EXPECT_TRUE(empty.files.empty());
 }
 
@@ -179,10 +165,10 @@ TEST(EngineFiles, TheJournalGivesTheDocumentBackWithItsHistory) {
   artist.draw({{100, 100}, {200, 100}});
   artist.act("undo");
   artist.draw({{100, 100}, {200, 300}});
-  auto const end = hash_of(artist);
+  auto const end = artist.hash();
   Artist next;
   auto const changes = next.engine().recover(bytes_of(artist.journal));
-  EXPECT_EQ(hash_of(next), end);
+  EXPECT_EQ(next.hash(), end);
   EXPECT_TRUE(changes.is_journal_new);
   EXPECT_EQ(changes.journal, artist.journal);
   EXPECT_FALSE(next.state().is_saved);
@@ -194,12 +180,12 @@ TEST(EngineFiles, TheJournalGivesTheDocumentBackWithItsHistory) {
 TEST(EngineFiles, ATornJournalIsTakenUpAtItsLastWholeLine) {
   auto artist = with_disc();
   auto const whole = artist.journal.size();
-  auto const before = hash_of(artist);
+  auto const before = artist.hash();
   artist.draw({{100, 100}, {200, 100}});
   auto const torn = artist.journal.substr(0, whole + 20);
   Artist next;
   auto const changes = next.engine().recover(bytes_of(torn));
-  EXPECT_EQ(hash_of(next), before);
+  EXPECT_EQ(next.hash(), before);
   EXPECT_EQ(changes.journal.size(), whole);
 }
 
@@ -233,7 +219,7 @@ TEST(EngineFiles, RecoveryInTheMiddleOfALineDropsTheLine) {
   next.engine().recover(bytes_of(artist.journal));
   next.move({300, 200});
   next.release({300, 200});
-  EXPECT_EQ(hash_of(next), hash_of(artist));
+  EXPECT_EQ(next.hash(), artist.hash());
 }
 
 TEST(EngineFiles, OpeningInTheMiddleOfALineDropsTheLine) {
@@ -245,7 +231,7 @@ TEST(EngineFiles, OpeningInTheMiddleOfALineDropsTheLine) {
   next.send(file_of(artist.files.at(0)));
   next.move({300, 200});
   next.release({300, 200});
-  EXPECT_EQ(hash_of(next), hash_of(artist));
+  EXPECT_EQ(next.hash(), artist.hash());
 }
 
 TEST(EngineFiles, WhatOfAFileWasLeftOutIsSaid) {
@@ -254,7 +240,7 @@ TEST(EngineFiles, WhatOfAFileWasLeftOutIsSaid) {
                           R"(<text>words</text><path d="M1 1 L8 8" stroke="black"/></svg>)";
   auto const bytes = bytes_of(svg);
   artist.send(FileEvent{{bytes.begin(), bytes.end()}, "a.svg"});
-  EXPECT_TRUE(has_said(artist, Word::LeftOut));
+  EXPECT_TRUE(artist.has_said(Word::LeftOut));
 }
 
 TEST(EngineFiles, WhatIsTooMuchForOneDrawingIsNotAdded) {
@@ -269,10 +255,10 @@ TEST(EngineFiles, WhatIsTooMuchForOneDrawingIsNotAdded) {
   ASSERT_EQ(artist.document().layers->size(), 512U);
   artist.act("save");
   artist.key("d", {.is_ctrl = true});
-  auto const before = hash_of(artist);
+  auto const before = artist.hash();
   artist.send(file_of(artist.files.at(0), FileUse::Add));
-  EXPECT_TRUE(has_said(artist, Word::CannotDo));
-  EXPECT_EQ(hash_of(artist), before);
+  EXPECT_TRUE(artist.has_said(Word::CannotDo));
+  EXPECT_EQ(artist.hash(), before);
 }
 
 TEST(EngineFiles, WhatIsNoJournalIsSaid) {
@@ -301,7 +287,7 @@ TEST(EngineFiles, ALongJournalBeginsAnew) {
   EXPECT_GT(artist.journal.size(), 100U);
   Artist next;
   next.engine().recover(bytes_of(artist.journal));
-  EXPECT_EQ(hash_of(next), hash_of(artist));
+  EXPECT_EQ(next.hash(), artist.hash());
 }
 
 }  // namespace

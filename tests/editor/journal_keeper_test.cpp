@@ -5,7 +5,6 @@
 
 #include <span>
 
-#include "base/rng.h"
 #include "io/document_hash.h"
 #include "support/sketches.h"
 
@@ -15,7 +14,7 @@ namespace {
 /// A history and the file that its journal is.
 class JournalKeeperTest : public testing::Test {
  protected:
-  void draw(double y) { push(AddStroke{{.samples = {{{0, y}, 1, 0}, {{100, y}, 1, 0.1}}}}); }
+  void draw(double y) { push(AddStroke{line_stroke({{0, y}, {100, y}})}); }
 
   void push(Command command) {
     std::vector<Command> const commands = {std::move(command)};
@@ -43,19 +42,7 @@ class JournalKeeperTest : public testing::Test {
   /// So that the journal begins anew.
   void fill() {
     int const before = starts;
-    // Noise does not pack: each picture takes about 9 MB.
-    for (int i = 0; starts == before; ++i) push(SetTemplate{noise(i)});
-  }
-
-  static Shared<Picture> noise(int seed) {
-    Rng rng(static_cast<std::uint64_t>(seed));
-    Picture picture(1500, 1500, {});
-    for (auto& value : picture.values) {
-      auto const bits = rng.bits();
-      value = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U),
-               static_cast<std::uint8_t>(bits >> 16U)};
-    }
-    return std::make_shared<Picture const>(std::move(picture));
+    for (double y = 100; starts == before; ++y) draw(y);
   }
 
   ReadJournal read() const {
@@ -70,7 +57,7 @@ class JournalKeeperTest : public testing::Test {
   }
 
   History history{empty_document()};
-  JournalKeeper keeper;
+  JournalKeeper keeper = JournalKeeper(4000);
   std::string file;
   int starts = 0;
 };
@@ -117,7 +104,7 @@ TEST_F(JournalKeeperTest, WhatWasReadGoesOn) {
   draw(2);
   undo();
   auto journal = read();
-  keeper = {};
+  keeper = JournalKeeper(4000);
   keeper.resume(journal);
   history = std::move(journal.history);
   redo();
@@ -129,6 +116,7 @@ TEST_F(JournalKeeperTest, WhatWasReadGoesOn) {
 }
 
 TEST_F(JournalKeeperTest, ManyShortLinesBeginAnewToo) {
+  keeper = JournalKeeper();
   draw(1);
   for (int i = 0; i < kMostJournalLines / 2; ++i) {
     undo();

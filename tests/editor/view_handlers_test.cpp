@@ -8,13 +8,6 @@ namespace {
 
 constexpr Vec2 kMiddle = {500, 500};
 
-bool has_said(Artist const& artist, Word word) {
-  for (auto const& message : artist.messages) {
-    if (message.word == word) return true;
-  }
-  return false;
-}
-
 Artist with_disc() {
   Artist artist;
   artist.draw_circle(kMiddle, 200);
@@ -47,7 +40,7 @@ TEST(ViewHandlers, WithoutPartsThereIsNoModel) {
   Artist artist;
   artist.key("2");
   EXPECT_EQ(artist.state().view.mode, Mode::Draw);
-  EXPECT_TRUE(has_said(artist, Word::NothingToInflate));
+  EXPECT_TRUE(artist.has_said(Word::NothingToInflate));
 }
 
 TEST(ViewHandlers, AModelThatCannotBeMadeIsSaidAndTheDrawingShown) {
@@ -58,7 +51,7 @@ TEST(ViewHandlers, AModelThatCannotBeMadeIsSaidAndTheDrawingShown) {
   is_cancelled = true;
   artist.key("2");
   EXPECT_EQ(artist.state().view.mode, Mode::Draw);
-  EXPECT_TRUE(has_said(artist, Word::Cancelled));
+  EXPECT_TRUE(artist.has_said(Word::Cancelled));
   is_cancelled = false;
   artist.key("2");
   EXPECT_EQ(artist.state().view.mode, Mode::Inflate);
@@ -109,7 +102,7 @@ TEST(ViewHandlers, LooksAreChosenByName) {
   for (auto const* const name : {"matcap", "lines", "textured"}) artist.act("look", name);
   EXPECT_EQ(artist.state().view.shading, Shading::Textured);
   artist.act("look", "gold");
-  EXPECT_TRUE(has_said(artist, Word::CannotDo));
+  EXPECT_TRUE(artist.has_said(Word::CannotDo));
 }
 
 TEST(ViewHandlers, ZoomKeysZoomThePaperOrTheModel) {

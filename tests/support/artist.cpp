@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/artist.h"
 
+#include <algorithm>
+
 #include "geometry/trig.h"
+#include "io/document_hash.h"
 
 namespace inkflate {
+
+bool Artist::has_said(Word word) const {
+  return std::any_of(messages.begin(), messages.end(),
+                     [&](Message const& message) { return message.word == word; });
+}
+
+std::uint64_t Artist::hash() const { return document_hash(to_project(document())); }
 
 void Artist::draw_circle(Vec2 centre, double radius, double gap_px, PointerButton button) {
   constexpr int points = 24;

@@ -19,6 +19,10 @@ class Artist {
   Document const& document() const { return engine_.document(); }
   EngineState state() const { return engine_.state(); }
 
+  bool has_said(Word word) const;
+  /// Of what is seen of the document.
+  std::uint64_t hash() const;
+
   std::vector<Message> messages;
   std::vector<FileOut> files;
   std::vector<std::string> studio_actions;
