@@ -15,6 +15,10 @@ namespace {
 
 constexpr Vec2 kMiddle = {500, 500};
 
+std::span<std::byte const> bytes_of(std::string const& text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
+}
+
 Artist with_disc() {
   Artist artist;
   artist.draw_circle(kMiddle, 200);

@@ -7,7 +7,6 @@
 #include "editor/engine.h"
 #include "io/document_hash.h"
 #include "support/artist.h"
-#include "support/editor_documents.h"
 
 namespace inkflate {
 namespace {
@@ -99,12 +98,12 @@ TEST(EngineGesture, ErasingInAPartOpensItAndEnterClosesItAgain) {
   artist.key("Enter");
   artist.key("e");
   artist.draw({{500, 280}, {500, 320}});
-  EXPECT_TRUE(only_layer(artist).is_open);
+  EXPECT_TRUE(artist.only_layer().is_open);
   EXPECT_GE(artist.document().layers->at(0)->strokes.size(), 3);
   artist.key("b");
   artist.draw({{470, 305}, {500, 300}, {530, 305}});
   artist.key("Enter");
-  auto const& layer = only_layer(artist);
+  auto const& layer = artist.only_layer();
   EXPECT_FALSE(layer.is_open);
   EXPECT_EQ(layer.id, static_cast<LayerId>(1));
 }
@@ -182,7 +181,7 @@ TEST(EngineGesture, ADoubleClickAfterSomethingElseTakesNothingBack) {
   artist.act("thickness", "5");
   int const before = artist.engine().history().position();
   artist.click_again(kMiddle);
-  EXPECT_EQ(only_layer(artist).thickness, 5);
+  EXPECT_EQ(artist.only_layer().thickness, 5);
   EXPECT_EQ(artist.engine().history().position(), before + 1);
 }
 

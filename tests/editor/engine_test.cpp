@@ -7,7 +7,6 @@
 
 #include "editor/action_handlers.h"
 #include "support/artist.h"
-#include "support/editor_documents.h"
 
 namespace inkflate {
 namespace {
@@ -46,7 +45,7 @@ TEST(Engine, RoughStrokesBecomeOnePartByEnter) {
   artist.draw_circle(kMiddle, 200);
   EXPECT_TRUE(artist.state().has_rough_strokes);
   artist.key("Enter");
-  auto const& layer = only_layer(artist);
+  auto const& layer = artist.only_layer();
   EXPECT_EQ(layer.outlines.size(), 1U);
   EXPECT_EQ(layer.strokes.size(), 2U);
   EXPECT_FALSE(artist.state().has_rough_strokes);
@@ -63,7 +62,7 @@ TEST(Engine, UndoGivesTheRoughStrokesBackAsTheyWere) {
   EXPECT_EQ(artist.hash(), before);
   EXPECT_EQ(artist.state().redo_name, "simplify");
   artist.key("y", {.is_ctrl = true});
-  only_layer(artist);
+  artist.only_layer();
 }
 
 TEST(Engine, UndoAllIsTheEmptyPaperAndRedoAllIsTheEnd) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "geometry/trig.h"
 #include "io/document_hash.h"
 
@@ -11,6 +12,12 @@ namespace inkflate {
 bool Artist::has_said(Word word) const {
   return std::any_of(messages.begin(), messages.end(),
                      [&](Message const& message) { return message.word == word; });
+}
+
+Layer const& Artist::only_layer() const {
+  auto const& layers = *document().layers;
+  CHECK(layers.size() == 1, "there is one layer");
+  return layers[0]->layer;
 }
 
 std::uint64_t Artist::hash() const { return document_hash(to_project(document())); }

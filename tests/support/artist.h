@@ -20,6 +20,8 @@ class Artist {
   EngineState state() const { return engine_.state(); }
 
   bool has_said(Word word) const;
+  /// The one layer that there has to be.
+  Layer const& only_layer() const;
   /// Of what is seen of the document.
   std::uint64_t hash() const;
 
