@@ -50,7 +50,7 @@ class Reached:
 
 
 def export(folder):
-    """llvm-cov's files with their summaries, branches and segments"""
+    """(path in src/, llvm-cov's file with its summary, branches and segments)"""
     merged = folder / "merged.profdata"
     profiles = sorted((folder / "profiles").glob("*.profraw"))
     if not profiles:
@@ -58,8 +58,13 @@ def export(folder):
     subprocess.run(["llvm-profdata-14", "merge", "-o", merged, *profiles], check=True)
     programs = [folder / program for program in PROGRAMS if (folder / program).exists()]
     command = ["llvm-cov-14", "export", programs[0], *(word for program in programs[1:] for word in ("-object", program))]
-    command += [f"-instr-profile={merged}", "-skip-functions", "-skip-expansions", TOP / "src"]
-    return json.loads(subprocess.run(command, check=True, capture_output=True).stdout)["data"][0]["files"]
+    command += [f"-instr-profile={merged}", "-skip-functions", "-skip-expansions"]
+    files = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)["data"][0]["files"]
+    for file in files:
+        # A compiler cache names sources from the build folder on: build/coverage/../../src.
+        path = (folder / file["filename"]).resolve()
+        if path.is_relative_to(TOP / "src"):
+            yield path.relative_to(TOP / "src"), file
 
 
 def reached_in(file):
@@ -95,8 +100,7 @@ def main():
 
     print(f"{'src/':40} {'lines':>7} {'reached':>7} {'ways':>7} {'reached':>7}")
     folders = collections.defaultdict(Reached)
-    for file in export(options.build_folder):
-        path = pathlib.Path(file["filename"]).relative_to(TOP / "src")
+    for path, file in export(options.build_folder):
         reached = reached_in(file)
         folders[path.parts[0]].add(reached)
         if options.files == path.parts[0] and reached.lines:
