@@ -23,11 +23,11 @@ bool EventLine::is_null(char const* name) {
 
 // JSON has no word for what is not finite, and just that has to be recorded where a driver sent it.
 double EventLine::number_of(Json const& value, char const* name) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (value.is_number()) return value.get<double>();
   if (value == "nan") return std::numeric_limits<double>::quiet_NaN();
-  if (value == "inf") return kInfinity;
-  if (value == "-inf") return -kInfinity;
+  if (value == "inf") return infinity;
+  if (value == "-inf") return -infinity;
   fail(std::string(name) + " is no number");
   return 0;
 }
@@ -39,9 +39,9 @@ double EventLine::number(char const* name, double fallback) {
 
 int EventLine::whole_number(char const* name, int fallback) {
   double const value = number(name, fallback);
-  constexpr double kLeast = std::numeric_limits<int>::min();
-  constexpr double kMost = std::numeric_limits<int>::max();
-  if (value >= kLeast && value <= kMost && value == std::floor(value)) {
+  constexpr double least = std::numeric_limits<int>::min();
+  constexpr double most = std::numeric_limits<int>::max();
+  if (value >= least && value <= most && value == std::floor(value)) {
     return static_cast<int>(value);
   }
   fail(std::string(name) + " is no whole number in its range");

@@ -40,7 +40,7 @@ Result<std::vector<bool>> chosen_strokes(Simplify::Set const& set, int stroke_co
     if (!set.strokes.empty()) return bad_input("a layer is simplified with all of its strokes");
     return is_chosen;
   }
-  if (auto const fault = choice_of_strokes_fault(set.strokes, stroke_count)) return *fault;
+  if (auto fault = choice_of_strokes_fault(set.strokes, stroke_count)) return *fault;
   for (int const stroke : set.strokes) is_chosen[static_cast<std::size_t>(stroke)] = true;
   return is_chosen;
 }
@@ -83,7 +83,7 @@ class Simplifying {
   }
 
   Fault add(Simplify::Details const& details) {
-    if (auto const fault = choice_of_strokes_fault(details.strokes, before_.loose.size())) {
+    if (auto fault = choice_of_strokes_fault(details.strokes, before_.loose.size())) {
       return fault;
     }
     auto const place = layer_place(before_, details.layer, Reach::Unlocked);
@@ -91,7 +91,7 @@ class Simplifying {
     if ((*before_.layers)[*place]->layer.is_open) {
       return bad_input("details for a layer that is open", static_cast<int>(details.layer));
     }
-    if (auto const fault = take(details.strokes)) return fault;
+    if (auto fault = take(details.strokes)) return fault;
     auto const here = place_now(details.layer);
     auto layer = **here;
     for (int const stroke : details.strokes) {
@@ -158,7 +158,7 @@ class Simplifying {
   Fault add_loose(Simplify::Set const& set) {
     auto const made = made_layers(set, before_.loose);
     if (!made) return made.error();
-    if (auto const fault = take(set.strokes)) return fault;
+    if (auto fault = take(set.strokes)) return fault;
     auto const place = set.depth == StrokeDepth::Far ? layers_.begin() : layers_.end();
     layers_.insert(place, made->begin(), made->end());
     return {};

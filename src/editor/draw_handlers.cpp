@@ -91,7 +91,7 @@ void gap(EditorTurn& turn) {
   for (auto const id : targets) {
     commands.emplace_back(SetChoice{id, with_gap(choice_of(base, id), turn)});
   }
-  commit_value(turn, without_idle(base, std::move(commands)), "gap", targets);
+  commit_value(turn, without_idle(base, commands), "gap", targets);
 }
 
 /// Puts a mark there, or takes away the one that is.
@@ -155,7 +155,7 @@ void for_each_selected(EditorTurn& turn, std::string_view action) {
   if (selection.empty()) return say(turn, Severity::Warning, Word::NothingSelected);
   std::vector<Command> commands;
   for (auto const id : selection) commands.emplace_back(LayerCommand{id});
-  commit(turn, without_idle(turn.state.history.document(), std::move(commands)), action);
+  commit(turn, without_idle(turn.state.history.document(), commands), action);
 }
 
 bool is_rough(EditorState const& state) { return has_rough_strokes(state.history.document()); }

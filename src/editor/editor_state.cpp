@@ -112,7 +112,7 @@ bool commit_value(EditorTurn& turn, std::vector<Command> commands, std::string_v
   return true;
 }
 
-std::vector<Command> without_idle(Document const& document, std::vector<Command> commands) {
+std::vector<Command> without_idle(Document const& document, std::vector<Command> const& commands) {
   std::vector<Command> result;
   auto now = document;
   for (auto const& command : commands) {

@@ -88,7 +88,7 @@ bool commit_value(EditorTurn& turn, std::vector<Command> commands, std::string_v
 
 /// The commands without those that would change nothing; all of them when none would change anything. So that layers that are already
 /// as all of the selected shall be do not stand in the way.
-std::vector<Command> without_idle(Document const& document, std::vector<Command> commands);
+std::vector<Command> without_idle(Document const& document, std::vector<Command> const& commands);
 
 /// What the gesture has done becomes an entry.
 void end_gesture(EditorTurn& turn, std::string_view action);

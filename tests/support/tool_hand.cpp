@@ -56,9 +56,9 @@ Step ToolHand::release(Vec2 screen) { return take(ToolRelease{pointer(screen)});
 Step ToolHand::cancel() { return take(ToolCancel{}); }
 
 Step ToolHand::drag(Vec2 from, Vec2 to) {
-  constexpr int kSteps = 8;
+  constexpr int steps = 8;
   press(from);
-  for (int i = 1; i <= kSteps; ++i) move(lerp(from, to, static_cast<double>(i) / kSteps));
+  for (int i = 1; i <= steps; ++i) move(lerp(from, to, static_cast<double>(i) / steps));
   return release(to);
 }
 
