@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "cli/files.h"
 
@@ -78,6 +79,20 @@ std::optional<Error> find_collision(std::vector<std::string> const& inputs,
     }
   }
   return std::nullopt;
+}
+
+Result<OutputPaths> plan_files_and_pictures(std::vector<std::string> const& inputs,
+                                            OutputRule const& files, std::string const& picture,
+                                            std::vector<std::string> const& others) {
+  auto outputs = plan_outputs(inputs, files);
+  if (!outputs) return outputs.error();
+  auto pictures = plan_outputs(inputs, {"--picture", picture, ".png"});
+  if (!pictures) return pictures.error();
+  auto all = *outputs;
+  all.insert(all.end(), pictures->begin(), pictures->end());
+  all.insert(all.end(), others.begin(), others.end());
+  if (auto error = find_collision(inputs, all)) return *std::move(error);
+  return OutputPaths{std::move(*outputs), std::move(*pictures)};
 }
 
 }  // namespace inkflate::cli

@@ -36,4 +36,17 @@ std::optional<Error> make_folder(std::string const& name);
 std::optional<Error> find_collision(std::vector<std::string> const& inputs,
                                     std::vector<std::string> const& outputs);
 
+/// Where what is made of each input goes, and a picture of it.
+struct OutputPaths {
+  std::vector<std::string> files;
+  std::vector<std::string> pictures;  // PNG; of --picture
+};
+
+/// As plan_outputs for both, with what find_collision refuses.
+///
+/// in      picture: what --picture names; others: further files that will be written
+Result<OutputPaths> plan_files_and_pictures(std::vector<std::string> const& inputs,
+                                            OutputRule const& files, std::string const& picture,
+                                            std::vector<std::string> const& others = {});
+
 }  // namespace inkflate::cli

@@ -86,17 +86,11 @@ Result<ReplayPlan> make_plan(ReplayCall const& call) {
     if (!size) return size.error();
     plan.size = *size;
   }
-  auto const& inputs = call.shared.inputs;
-  auto outputs = plan_outputs(inputs, {"-o", call.shared.output, ".inkflate"});
-  if (!outputs) return outputs.error();
-  auto pictures = plan_outputs(inputs, {"--picture", call.picture, ".png"});
-  if (!pictures) return pictures.error();
-  plan.outputs = std::move(*outputs);
-  plan.pictures = std::move(*pictures);
-  auto all = plan.outputs;
-  all.insert(all.end(), plan.pictures.begin(), plan.pictures.end());
-  all.push_back(call.journal);
-  if (auto const error = find_collision(inputs, all)) return *error;
+  auto paths = plan_files_and_pictures(call.shared.inputs, {"-o", call.shared.output, ".inkflate"},
+                                       call.picture, {call.journal});
+  if (!paths) return paths.error();
+  plan.outputs = std::move(paths->files);
+  plan.pictures = std::move(paths->pictures);
   for (auto const& output : plan.outputs) {
     auto const format = output_format(output);
     if (!format) return format.error();

@@ -54,16 +54,11 @@ Result<SimplifyPlan> make_plan(SimplifyCall const& call) {
   auto options = simplify_options(call.words);
   if (!options) return options.error();
   plan.options = std::move(*options);
-  auto const& inputs = call.shared.inputs;
-  auto outputs = plan_outputs(inputs, {"-o", call.shared.output, ".svg"});
-  if (!outputs) return outputs.error();
-  auto pictures = plan_outputs(inputs, {"--picture", call.picture, ".png"});
-  if (!pictures) return pictures.error();
-  plan.outputs = std::move(*outputs);
-  plan.pictures = std::move(*pictures);
-  auto all = plan.outputs;
-  all.insert(all.end(), plan.pictures.begin(), plan.pictures.end());
-  if (auto const error = find_collision(inputs, all)) return *error;
+  auto paths =
+      plan_files_and_pictures(call.shared.inputs, {"-o", call.shared.output, ".svg"}, call.picture);
+  if (!paths) return paths.error();
+  plan.outputs = std::move(paths->files);
+  plan.pictures = std::move(paths->pictures);
   for (auto const& output : plan.outputs) {
     auto const format = output.empty() ? DrawingFormat::Svg : drawing_format(output);
     if (!format) return format.error();
