@@ -12,10 +12,10 @@
 namespace inkflate::cli {
 namespace {
 
-constexpr double kSamplePause_s =
+constexpr double kSamplePauseS =
     0.01;  // between the points of a stroke: a pen that reports 100 times a second
-constexpr double kStrokePause_s = 1;   // before a stroke or click: too long for a double click
-constexpr double kClickPause_s = 0.1;  // between the clicks of a double click
+constexpr double kStrokePauseS = 1;   // before a stroke or click: too long for a double click
+constexpr double kClickPauseS = 0.1;  // between the clicks of a double click
 
 Modifiers take_modifiers(EventLine& line) {
   return {line.flag("shift"), line.flag("ctrl"), line.flag("alt")};
@@ -79,7 +79,7 @@ class EventReader {
     event.button = take_button(line, has_button ? PointerButton::Primary : PointerButton::None);
     event.screen = line.point("at");
     event.pressure = line.number("pressure", 0.5);
-    event.time_s = take_time(line, "time", kSamplePause_s);
+    event.time_s = take_time(line, "time", kSamplePauseS);
     event.modifiers = take_modifiers(line);
     add(event);
   }
@@ -91,7 +91,7 @@ class EventReader {
     event.id = line.whole_number("id", 0);
     event.button = take_button(line, PointerButton::Primary);
     event.modifiers = take_modifiers(line);
-    event.time_s = take_time(line, "start", kStrokePause_s);
+    event.time_s = take_time(line, "start", kStrokePauseS);
     return event;
   }
 
@@ -106,7 +106,7 @@ class EventReader {
   void read_stroke(EventLine& line) {
     auto const points = line.points("stroke");
     auto event = take_gesture(line, PointerKind::Pen);
-    double const step_s = line.number("step", kSamplePause_s);
+    double const step_s = line.number("step", kSamplePauseS);
     double const start_s = event.time_s;
     for (std::size_t i = 0; i < points.size(); ++i) {
       event.screen = points[i].position;
@@ -125,9 +125,9 @@ class EventReader {
     int const count = line.whole_number("count", 1);
     if (count < 1 || count > 3) return line.fail("count is not 1, 2 or 3");
     double time_s = event.time_s;
-    for (int i = 0; i < count; ++i, time_s += kClickPause_s) {
+    for (int i = 0; i < count; ++i, time_s += kClickPauseS) {
       add_pointer(event, PointerAction::Press, time_s);
-      add_pointer(event, PointerAction::Release, time_s + kSamplePause_s);
+      add_pointer(event, PointerAction::Release, time_s + kSamplePauseS);
     }
   }
 
@@ -140,7 +140,7 @@ class EventReader {
         {{"press", Phase::Press}, {"repeat", Phase::Repeat}, {"release", Phase::Release}});
     event.is_repeat = phase == Phase::Repeat;
     event.modifiers = take_modifiers(line);
-    event.time_s = take_time(line, "time", kSamplePause_s);
+    event.time_s = take_time(line, "time", kSamplePauseS);
     if (phase != Phase::Release) add(event);
     event.is_repeat = false;
     event.is_press = false;

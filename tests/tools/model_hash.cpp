@@ -12,6 +12,7 @@
 #include "base/hash.h"
 #include "io/read_document.h"
 #include "pipeline/run_inflate.h"
+#include "pipeline/run_simplify.h"
 
 namespace {
 
@@ -72,9 +73,10 @@ Result<Hashes> hash_file(char const* path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return Error{ErrorCode::FileSystem, "cannot read"};
   std::vector<char> const content{std::istreambuf_iterator<char>(stream), {}};
-  auto const document = cli::read_document(std::as_bytes(std::span(content)));
+  auto const document = read_document(std::as_bytes(std::span(content)));
   if (!document) return document.error();
-  auto const source = cli::sketch_source(*document);
+  SketchSource source = document->project.drawing.sketch;
+  if (document->scan) source = *document->scan;
   auto const together = run_simplify(source);
   if (!together) return together.error();
   RunSimplifyOptions options;
