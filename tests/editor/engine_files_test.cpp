@@ -15,8 +15,9 @@ namespace {
 
 constexpr Vec2 kMiddle = {500, 500};
 
-std::span<std::byte const> bytes_of(std::string const& text) {
-  return std::as_bytes(std::span(text.data(), text.size()));
+std::vector<std::byte> bytes_of(std::string const& text) {
+  auto const bytes = std::as_bytes(std::span(text.data(), text.size()));
+  return {bytes.begin(), bytes.end()};
 }
 
 Artist with_disc() {
@@ -86,7 +87,7 @@ TEST(EngineFiles, StrokesOfASketchOpenAsRough) {
       "<path d='M10 10 L90 10 L90 90 L10 90 Z' stroke='black' fill='none'/></svg>";
   auto const bytes = bytes_of(svg);
   Artist artist;
-  artist.send(FileEvent{{bytes.begin(), bytes.end()}, "some/square.svg", FileUse::Open});
+  artist.send(FileEvent{bytes, "some/square.svg", FileUse::Open});
   EXPECT_TRUE(artist.state().has_rough_strokes);
   EXPECT_EQ(artist.state().file_name, "square");
   artist.key("Enter");
@@ -115,7 +116,7 @@ TEST(EngineFiles, AFileThatIsNoneIsSaidAndChangesNothing) {
   for (auto const use : {FileUse::Open, FileUse::Add, FileUse::Template}) {
     artist.messages.clear();
     auto const bytes = bytes_of("this is a letter");
-    artist.send(FileEvent{{bytes.begin(), bytes.end()}, "letter.txt", use});
+    artist.send(FileEvent{bytes, "letter.txt", use});
     EXPECT_TRUE(artist.has_said(Word::CannotRead));
   }
   EXPECT_EQ(artist.hash(), before);
@@ -243,7 +244,7 @@ TEST(EngineFiles, WhatOfAFileWasLeftOutIsSaid) {
   std::string const svg = R"(<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">)"
                           R"(<text>words</text><path d="M1 1 L8 8" stroke="black"/></svg>)";
   auto const bytes = bytes_of(svg);
-  artist.send(FileEvent{{bytes.begin(), bytes.end()}, "a.svg"});
+  artist.send(FileEvent{bytes, "a.svg"});
   EXPECT_TRUE(artist.has_said(Word::LeftOut));
 }
 
