@@ -13,9 +13,8 @@
 #include "cli/verb.h"
 #include "cli/write_drawing.h"
 #include "cli/write_model.h"
-#include "pipeline/run_inflate.h"
+#include "editor/model_cache.h"
 #include "pipeline/stage_clock.h"
-#include "render/bake_texture.h"
 
 namespace inkflate::cli {
 namespace {
@@ -101,12 +100,11 @@ Result<ReplayPlan> make_plan(ReplayCall const& call) {
 
 std::optional<Error> write_shown_model(Document const& document, ModelFormat format,
                                        std::string const& path) {
-  auto const drawing = shown_drawing(document);
-  auto const model = run_inflate(drawing);
-  if (!model) return model.error();
-  auto const& picture = document.template_picture;
-  auto const texture = picture ? wear_picture(*picture, *model) : bake_texture(drawing, *model);
-  return write_model(*model, &texture, drawing, format, path);
+  ModelCache cache;
+  auto const made = cache.make(document, {});
+  if (!made) return made.error();
+  auto const scene = cache.scene({}, Shading::Textured);
+  return write_model(*scene->model, scene->texture.get(), shown_drawing(document), format, path);
 }
 
 std::optional<Error> write_output(Replay& replay, OutputFormat const& format,

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/picture_in.h"
 #include "cli/program.h"
-#include "io/read_picture.h"
 
 namespace inkflate {
 namespace {
@@ -25,12 +25,7 @@ class RenderVerb : public testing::Test {
     return run_inkflate(folder_.path(), arguments);
   }
 
-  Picture picture(std::string const& name) const {
-    auto const content = folder_.read(name);
-    auto picture = read_picture(std::as_bytes(std::span(content)));
-    EXPECT_TRUE(picture) << name;
-    return picture ? *picture : Picture(1, 1);
-  }
+  Picture picture(std::string const& name) const { return picture_in(folder_, name); }
 
   ScratchFolder folder_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "cli/picture_in.h"
 #include "cli/program.h"
-#include "io/read_picture.h"
 #include "support/golden.h"
 
 namespace inkflate {
@@ -10,13 +10,6 @@ namespace {
 
 /// The walk-throughs of the thesis' chapter 6, by tests/tools/make_replays.py. Each leaves a picture of the drawing and one of the model.
 class Replay : public testing::TestWithParam<char const*> {};
-
-Picture picture_in(ScratchFolder const& folder, std::string const& name) {
-  auto const content = folder.read(name);
-  auto const picture = read_picture(std::as_bytes(std::span(content)));
-  EXPECT_TRUE(picture) << name;
-  return picture ? *picture : Picture(1, 1);
-}
 
 TEST_P(Replay, LooksAsItWasApproved) {
   ScratchFolder const folder;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cli/picture_in.h"
 #include "cli/program.h"
 #include "io/read_inkflate.h"
-#include "io/read_picture.h"
 
 namespace inkflate {
 namespace {
@@ -42,12 +42,7 @@ class ReplayVerb : public testing::Test {
     return project ? *project : Project{};
   }
 
-  Picture picture(std::string const& name) const {
-    auto const content = folder_.read(name);
-    auto picture = read_picture(std::as_bytes(std::span(content)));
-    EXPECT_TRUE(picture) << name;
-    return picture ? *picture : Picture(1, 1);
-  }
+  Picture picture(std::string const& name) const { return picture_in(folder_, name); }
 
   ScratchFolder folder_;
 };
