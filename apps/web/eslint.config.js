@@ -66,7 +66,19 @@ export default defineConfig(
         URL: "readonly",
         Buffer: "readonly",
         setTimeout: "readonly",
+        clearTimeout: "readonly",
       },
+    },
+  },
+  {
+    // Tests hold functions that run in the page.
+    files: ["e2e/**"],
+    languageOptions: {
+      globals: Object.fromEntries(
+        ["document", "performance", "requestAnimationFrame", "PerformanceObserver", "fetch"].map(
+          (name) => [name, "readonly"],
+        ),
+      ),
     },
   },
   { files: ["*.config.*"], rules: { "no-restricted-exports": "off" } },
