@@ -77,9 +77,16 @@ export default defineConfig(
     files: ["e2e/**"],
     languageOptions: {
       globals: Object.fromEntries(
-        ["document", "performance", "requestAnimationFrame", "PerformanceObserver", "fetch"].map(
-          (name) => [name, "readonly"],
-        ),
+        [
+          "document",
+          "performance",
+          "requestAnimationFrame",
+          "PerformanceObserver",
+          "fetch",
+          "File",
+          "atob",
+          "btoa",
+        ].map((name) => [name, "readonly"]),
       ),
     },
   },
