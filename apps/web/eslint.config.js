@@ -82,6 +82,7 @@ export default defineConfig(
       ),
     },
   },
+  { files: ["**/*.test.*"], rules: { "@typescript-eslint/no-non-null-assertion": "off" } },
   { files: ["*.config.*"], rules: { "no-restricted-exports": "off" } },
   { ignores: ["dist"] },
 );
