@@ -65,6 +65,27 @@ export class StudioPage {
     );
   }
 
+  /** Opens a file as if it had been chosen. */
+  openFile(name, bytes, use = "open") {
+    const base64 = Buffer.from(bytes).toString("base64");
+    return this.page.evaluate(
+      ([fileName, content, wanted]) => {
+        const data = Uint8Array.from(atob(content), (sign) => sign.charCodeAt(0));
+        globalThis.inkflateStudio.open(new File([data], fileName), wanted);
+      },
+      [name, base64, use],
+    );
+  }
+
+  /** The drawing in one of the formats that the core writes, without the page's dialogs. */
+  async written(extension) {
+    const base64 = await this.page.evaluate(async (wanted) => {
+      const [file] = await globalThis.inkflateStudio.exportAs(wanted);
+      return btoa(Array.from(file.bytes, (byte) => String.fromCharCode(byte)).join(""));
+    }, extension);
+    return Buffer.from(base64, "base64");
+  }
+
   /** Where the hand can draw without touching what floats at the edges. */
   async sheet() {
     const { width, height } = this.page.viewportSize();
