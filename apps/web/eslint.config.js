@@ -12,7 +12,7 @@ const floors = [
   ["ui"],
 ];
 
-const floorRules = floors.flatMap((folders, floor) =>
+const floorRules = floors.slice(0, -1).flatMap((folders, floor) =>
   folders.map((folder) => ({
     files: [`src/${folder}/**`],
     rules: {
