@@ -3,10 +3,10 @@
 
 build_packages=(g++ cmake ninja-build ccache libcli11-dev nlohmann-json3-dev libstb-dev libeigen3-dev)
 test_packages=(clang clang-format clang-tidy llvm-14 libclang-rt-dev libgtest-dev googletest
-  libbenchmark-dev librapidcheck-dev emscripten nodejs python3 git ca-certificates admesh)
+  libbenchmark-dev librapidcheck-dev emscripten nodejs python3 git ca-certificates admesh chromium)
 # googletest: the WebAssembly preset is configured with it, whatever is built then.
 studio_packages=(emscripten nodejs googletest)
-judge_packages=(assimp-utils blender python3-numpy godot3-server prusa-slicer chromium)
+judge_packages=(assimp-utils blender python3-numpy godot3-server prusa-slicer)
 
 # need_packages NAME...: installs those that are missing with apt; says what it does.
 need_packages() {

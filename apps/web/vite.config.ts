@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
+import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 import { contentPolicy, serviceWorkerFiles } from "./tools/studio-plugins";
 
 const serviceWorker = "sw.js";
 
+/** Where the build of the core puts it: ninja -C build/wasm studio_core. */
+const core = fileURLToPath(new URL("../../build/wasm/apps/web", import.meta.url));
+
 // base "./": the studio works from any folder of any static server, a USB stick's too.
 export default defineConfig({
   base: "./",
+  resolve: {
+    alias: [
+      { find: /^#core$/, replacement: `${core}/core.js` },
+      { find: /^#core\.wasm/, replacement: `${core}/core.wasm` },
+    ],
+  },
   worker: { format: "es" },
   esbuild: { jsx: "automatic", jsxImportSource: "preact" },
   plugins: [contentPolicy(), serviceWorkerFiles(serviceWorker)],
