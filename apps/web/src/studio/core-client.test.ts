@@ -40,6 +40,7 @@ function clientWithWorkers() {
     session,
     actions: [],
     sessions: [],
+    areOthersOffered: false,
   });
   return { client, workers, heard, hopeless, settled, ready, later: (ms: number) => (now += ms) };
 }
@@ -52,11 +53,11 @@ describe("CoreClient", () => {
     await settled();
     const [start, events] = workers[0]!.sent;
     expect(start?.kind).toBe("start");
-    expect(events).toMatchObject({ kind: "events", sequence: 2 });
-    expect((events as { events: CoreEvent[] }).events.map((event) => event.type)).toEqual([
-      "resize",
-      "action",
-    ]);
+    expect(events).toMatchObject({
+      kind: "events",
+      sequence: 2,
+      events: [{ type: "resize" }, { type: "action" }],
+    });
   });
 
   test("sends the events of one turn together, with the number of the last", async () => {
