@@ -41,6 +41,7 @@ constexpr Action kActions[] = {
     // The signs are what Shift makes of 1 and 2 on most keyboards.
     {"zoom_fit", "Show the whole drawing", "Zobrazit celou kresbu", "Shift+1, !", Menu::View},
     {"zoom_selection", "Show the selection", "Zobrazit výběr", "Shift+2, @, \"", Menu::View},
+    {"show_place", "Show a place", "Zobrazit místo", "", Menu::View, Text},
     {"mirror_view", "Mirror view", "Zrcadlit pohled", "M", Menu::View, None, "", kDraw},
     {"grid", "Grid", "Mřížka", "", Menu::View},
     // Tool

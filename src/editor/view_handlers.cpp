@@ -71,6 +71,17 @@ void zoom_selection(EditorTurn& turn) {
   fit(turn, box_of(turn.state.history.document(), view.selection));
 }
 
+/// "x,y,width,height" on the canvas: where a message says to look.
+void show_place(EditorTurn& turn) {
+  auto const comma = turn.argument.find(',', turn.argument.find(',') + 1);
+  if (comma == std::string::npos) return refuse_argument(turn);
+  auto const corner = place_of(turn.argument.substr(0, comma));
+  auto const size = place_of(turn.argument.substr(comma + 1));
+  if (!corner || !size) return refuse_argument(turn);
+  turn.state.view.mode = Mode::Draw;
+  fit(turn, {*corner, *corner + *size});
+}
+
 void mirror(EditorTurn& turn) {
   auto& camera = turn.state.view.camera;
   camera = mirrored(camera);
@@ -120,6 +131,7 @@ constexpr std::array kHandlers = {
     ActionHandler{"zoom_actual", zoom_actual, always},
     ActionHandler{"zoom_fit", [](EditorTurn& turn) { fit_paper(turn); }, always},
     ActionHandler{"zoom_selection", zoom_selection, has_selection},
+    ActionHandler{"show_place", show_place, always},
     ActionHandler{"mirror_view", mirror, is_drawing},
     ActionHandler{"grid", toggle_grid, always},
     ActionHandler{"look", look, is_turning},

@@ -135,6 +135,19 @@ TEST(ViewHandlers, FitShowsAllAndSelectionWhatIsSelected) {
   EXPECT_GT(empty.state().view.camera.zoom, 0.5);
 }
 
+TEST(ViewHandlers, AShownPlaceFillsTheView) {
+  auto artist = with_disc();
+  artist.act("show_place", "100,200,50,40");
+  auto const camera = artist.state().view.camera;
+  EXPECT_NEAR(camera.centre.x, 125, 1e-9);
+  EXPECT_NEAR(camera.centre.y, 220, 1e-9);
+  EXPECT_GT(camera.zoom, 5);
+  for (auto const* const wrong : {"", "1", "1,2", "1,2,3", "1,2,3,x", "nan,0,1,1"}) {
+    artist.act("show_place", wrong);
+    EXPECT_EQ(artist.state().view.camera, camera) << wrong;
+  }
+}
+
 TEST(ViewHandlers, MirrorAndGridTurnRound) {
   auto artist = with_disc();
   artist.key("m");

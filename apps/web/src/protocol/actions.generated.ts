@@ -26,6 +26,7 @@ export const actionNames = [
   "zoom_actual",
   "zoom_fit",
   "zoom_selection",
+  "show_place",
   "mirror_view",
   "grid",
   "brush",

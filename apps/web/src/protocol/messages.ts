@@ -48,25 +48,30 @@ export interface SessionRow {
   readonly picture: Uint8Array | null;
 }
 
+/** Which drawing to go on with. */
+export type StartWith =
+  /** The tab's own one if it has one, else what an earlier run has left, else a new one. */
+  | { readonly kind: "choose"; readonly own: string | null }
+  | { readonly kind: "session"; readonly session: string }
+  | { readonly kind: "new" };
+
 export type ToWorker =
-  /** First message. session: the drawing to go on with; null: a new one. */
+  /** First message. */
   | {
       readonly kind: "start";
       readonly wasm: ArrayBuffer;
-      readonly session: string | null;
+      readonly startWith: StartWith;
       readonly language: Language;
     }
   /** sequence: of the last event of these; ascending. */
   | { readonly kind: "events"; readonly events: readonly CoreEvent[]; readonly sequence: number }
-  /** Asks for a picture of one layer, at most this large; answered by "thumbnail". */
+  /** Asks for a picture of one part, at most this large; answered by "thumbnail". */
   | {
       readonly kind: "thumbnail";
       readonly layer: number;
       readonly look: number;
       readonly sizePx: number;
     }
-  /** Leaves the drawing to its session and goes on with another. */
-  | { readonly kind: "session"; readonly session: string | null }
   /** Asks for what earlier runs have left; answered by "sessions". */
   | { readonly kind: "list_sessions" }
   | { readonly kind: "forget_session"; readonly session: string }
@@ -88,12 +93,19 @@ export interface Frame {
 }
 
 export type FromWorker =
-  | { readonly kind: "ready"; readonly session: string; readonly actions: readonly ActionRow[] }
+  | {
+      readonly kind: "ready";
+      readonly session: string;
+      readonly actions: readonly ActionRow[];
+      /** Other drawings that earlier runs have left. */
+      readonly sessions: readonly SessionRow[];
+      /** The person may have meant one of them. */
+      readonly areOthersOffered: boolean;
+    }
   | Frame
   /** share: 0 .. 1; null: over. Sent from the midst of long work. */
   | { readonly kind: "progress"; readonly stage: string; readonly share: number | null }
   | { readonly kind: "save_state"; readonly state: SaveState }
-  | { readonly kind: "actions"; readonly actions: readonly ActionRow[] }
   | {
       readonly kind: "thumbnail";
       readonly layer: number;

@@ -58,7 +58,8 @@ export interface Studio {
 
   /** Does an action of the core's table. Requests of the core (open, export, help, ...) come back through `panel` and files/. */
   act(name: ActionName, argument?: string): void;
-  send(event: CoreEvent): void;
+  /** Returns the event's number; a frame tells up to which number it has taken events in. */
+  send(event: CoreEvent): number;
   open(file: File, use: FileUse): void;
   /** Files of one action, taken from the stream of frames instead of being offered for saving. */
   exportAs(extension: string): Promise<readonly FileOut[]>;
@@ -72,6 +73,9 @@ export interface Studio {
   forgetSession(session: string): void;
   refreshSessions(): void;
   rawSession(session: string): Promise<Uint8Array>;
+
+  /** Brings a place of the canvas into view. */
+  showPlace(place: CanvasRect): void;
 
   /** Calls back with every frame of the core, before the signals change. Returns how to stop. */
   onFrame(listener: (frame: Frame) => void): () => void;
