@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { describe, expect, it } from "vitest";
-import { clipMatrix, handedness, normalMatrix, scaleOf } from "./placement";
+import { clipMatrix, handedness, normalMatrix, raised, scaleOf } from "./placement";
 import type { Placement, Point3 } from "./placement";
 
 const size = { width: 1000, height: 800 };
@@ -45,6 +45,12 @@ describe("a placement", () => {
   it("knows its scale", () => {
     expect(scaleOf(front)).toBeCloseTo(3, 12);
     expect(scaleOf(side)).toBeCloseTo(3, 12);
+  });
+
+  it("that is pressed flat gets heights to its own scale", () => {
+    const pressed: Placement = [0, 2, 0, 300, 2, 0, 0, 200, 0, 0, 0.001, 0];
+    expect(raised(pressed)).toEqual([0, 2, 0, 300, 2, 0, 0, 200, 0, 0, 2, 0]);
+    expect(scaleOf(raised(pressed))).toBeCloseTo(2, 12);
   });
 
   it("knows whether it mirrors", () => {

@@ -6,7 +6,7 @@ import { riseMs } from "./rise";
 
 const size = { width: 1000, height: 800 };
 const way = {
-  onPaper: [0.5, 0, 0, 300, 0, -0.5, 0, 200, 0, 0, 0.5, 0],
+  onPaper: [0.5, 0, 0, 300, 0, -0.5, 0, 200, 0, 0, 0.001, 0],
   toView: [0, 0, -2, 500, 0, -2, 0, 400, 2, 0, 0, 0],
 };
 const extent = extentOf(Float32Array.of(-30, -20, -10, 30, 20, 10, 0, 0, 0));
