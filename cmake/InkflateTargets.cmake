@@ -29,9 +29,12 @@ if(INKFLATE_SANITIZE)
   target_link_options(inkflate_flags INTERFACE -fsanitize=address,undefined)
   target_compile_definitions(inkflate_flags INTERFACE INKFLATE_SANITIZE)
 endif()
+# What programs that a person or a test starts need beside the flags.
+add_library(inkflate_program INTERFACE)
+target_link_libraries(inkflate_program INTERFACE inkflate_flags)
 if(EMSCRIPTEN)
   # CommonJS for node; a stack of 1 MB because the default is small and overflows silently.
-  target_link_options(inkflate_flags INTERFACE -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1
+  target_link_options(inkflate_program INTERFACE -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1
                       -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1048576)
   # Debian keeps the JavaScript parser that the link step needs outside of node's own search path.
   set(CMAKE_CXX_LINKER_LAUNCHER env NODE_PATH=/usr/share/nodejs)

@@ -5,6 +5,7 @@
 
 #include "editor/action_handlers.h"
 #include "editor/editor_state.h"
+#include "editor/layer_looks.h"
 #include "editor/run_tool.h"
 #include "io/journal.h"
 
@@ -105,9 +106,16 @@ bool is_model_wanted(EditorState const& state) {
   return state.view.mode != Mode::Draw && !state.model.is_current(state.history.document());
 }
 
-LayerRow row_of(Layer const& layer, View const& view) {
-  return {layer.id,        layer.name,      layer.thickness, layer.fill,
-          layer.is_hidden, layer.is_locked, layer.is_open,   is_selected(view, layer.id)};
+LayerRow row_of(Layer const& layer, View const& view, std::uint64_t look) {
+  return {layer.id,
+          layer.name,
+          layer.thickness,
+          layer.fill,
+          layer.is_hidden,
+          layer.is_locked,
+          layer.is_open,
+          is_selected(view, layer.id),
+          look};
 }
 
 }  // namespace
@@ -116,6 +124,7 @@ struct Engine::Inside {
   EditorState state;
   Progress progress;
   SceneBuilder scenes;
+  LayerLooks looks;
 };
 
 Engine::Engine(Progress progress) : inside_(std::make_unique<Inside>()) {
@@ -200,8 +209,9 @@ EngineState Engine::state() const {
   result.view = state.view;
   auto const& layers = *document.layers;
   for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
-    result.layers.push_back(row_of((*layer)->layer, state.view));
+    result.layers.push_back(row_of((*layer)->layer, state.view, inside_->looks.look(*layer)));
   }
+  inside_->looks.keep_only(document);
   result.has_rough_strokes = has_rough_strokes(document);
   result.choice = *document.choice;
   result.undo_name = action_name(state.history.undo_label());

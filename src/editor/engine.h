@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -46,6 +47,7 @@ struct LayerRow {
   bool is_locked = false;
   bool is_open = false;
   bool is_selected = false;
+  std::uint64_t look = 0;  // another one when it looks different
 };
 
 struct EngineState {

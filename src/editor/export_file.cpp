@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "document/give_room.h"
 #include "io/drawing_file.h"
 #include "io/model_files.h"
 #include "io/write_png.h"
@@ -78,9 +79,11 @@ Result<std::vector<std::byte>> export_drawing(ExportRequest const& request, Mode
   }
   if (*format == DrawingFormat::MaskPicture) {
     if (request.view.mode != Mode::Draw) return picture_of_model(request, cache, progress);
-    return write_drawing_picture(to_project(request.document).drawing);
+    return write_drawing_picture(give_room(to_project(request.document)).drawing);
   }
+  // Our own projects are as they are: what has left the sheet is kept.
   auto project = to_project(request.document);
+  if (*format != DrawingFormat::Inkflate) project = give_room(std::move(project));
   return write_drawing_file(project, *format);
 }
 

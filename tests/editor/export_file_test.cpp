@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/read_document.h"
 #include "support/editor_documents.h"
 
 namespace inkflate {
@@ -57,6 +58,23 @@ TEST(ExportFile, WithoutAPartThereIsNoModelHoweverOftenItIsWanted) {
       ASSERT_FALSE(files) << extension;
       EXPECT_EQ(files.error().code, ErrorCode::NothingThere);
       EXPECT_FALSE(files.error().message.empty());
+    }
+  }
+}
+
+TEST(ExportFile, WhatHasLeftTheSheetIsNotCutOff) {
+  ModelCache cache;
+  auto const far = with_disc(empty_document(), {-300, 1500}, 100);
+  auto const files = exported(far, "svg", cache);
+  ASSERT_TRUE(files);
+  auto const read = read_document(files->front().bytes);
+  ASSERT_TRUE(read);
+  auto const& sketch = read->project.drawing.sketch;
+  ASSERT_FALSE(sketch.strokes.empty());
+  for (auto const& stroke : sketch.strokes) {
+    for (auto const& sample : stroke.samples) {
+      EXPECT_GE(sample.position.x, 0);
+      EXPECT_LE(sample.position.y, sketch.height_px);
     }
   }
 }

@@ -9,8 +9,8 @@ namespace inkflate::house {
 namespace {
 
 bool is_code(SourceFile const& file) {
-  return has_extension(file,
-                       {".h", ".cpp", ".cmake", "CMakeLists.txt", ".py", ".sh", "run", "test"});
+  return has_extension(file, {".h", ".cpp", ".cmake", "CMakeLists.txt", ".py", ".sh", ".ts", ".tsx",
+                              ".mjs", ".js", ".css", ".html", "run", "test"});
 }
 
 TEST(Files, CodeFilesNameTheirLicence) {

@@ -13,8 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_written_by_people(std::string const& path) {
-  static constexpr std::string_view endings[] = {".h",  ".cpp", ".cmake", ".txt", ".json",
-                                                 ".py", ".sh",  ".md",    "/run", "/test"};
+  static constexpr std::string_view endings[] = {".h",   ".cpp",  ".cmake", ".txt", ".json", ".py",
+                                                 ".sh",  ".md",   ".ts",    ".tsx", ".mjs",  ".js",
+                                                 ".css", ".html", "/run",   "/test"};
   std::string const rooted = "/" + path;
   return std::any_of(std::begin(endings), std::end(endings),
                      [&](std::string_view ending) { return rooted.ends_with(ending); });

@@ -99,6 +99,8 @@ export type FromWorker =
       readonly actions: readonly ActionRow[];
       /** Other drawings that earlier runs have left. */
       readonly sessions: readonly SessionRow[];
+      /** The person may have meant one of them. */
+      readonly areOthersOffered: boolean;
     }
   | Frame
   /** share: 0 .. 1; null: over. Sent from the midst of long work. */

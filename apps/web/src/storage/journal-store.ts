@@ -4,12 +4,18 @@ import type { SaveState, SessionRow } from "../protocol/messages";
 /** One journal of a session, whole or as much of it as could be read. */
 export interface Generation {
   readonly number: number;
+  /** Up to the first piece that is damaged or missing. */
   readonly bytes: Uint8Array;
+  /** Something was damaged or missing. */
+  readonly isTorn: boolean;
 }
 
 export interface OpenedSession {
   readonly id: string;
-  /** Newest first; empty: a new session. */
+  /**
+   * Newest first, but a torn one behind an older one that knows more; empty: a new session. The first that the core can read is the
+   * one to go on with; what is appended goes on from the first.
+   */
   readonly generations: readonly Generation[];
 }
 

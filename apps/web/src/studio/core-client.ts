@@ -45,7 +45,13 @@ export class CoreClient {
   async start(startWith: StartWith): Promise<void> {
     this.port?.end();
     this.port = null;
-    const wasm = await this.options.loadCore();
+    let wasm: ArrayBuffer;
+    try {
+      wasm = await this.options.loadCore();
+    } catch (error) {
+      this.options.onHopeless(String(error));
+      return;
+    }
     const port = this.options.startWorker((message) => {
       if (this.port === port) this.listen(message);
     });

@@ -91,6 +91,7 @@ export function createStudio(options: StudioOptions): Studio {
           sessions.value = message.sessions;
         });
         tabSession.keep(message.session);
+        if (message.areOthersOffered) offerSessions(studio);
         return;
       case "progress":
         if (message.share === null) watch.over();
@@ -209,5 +210,13 @@ function tellPreferences(studio: Studio): void {
       studio.act("single_keys", keys);
     }
     isFirst = false;
+  });
+}
+
+/** More than one drawing was left: the newest is open, and the others are told of. */
+function offerSessions(studio: Studio): void {
+  studio.notify("status", studio.word("other_drawings"), {
+    label: studio.word("show_them"),
+    run: () => (studio.panel.value = "sessions"),
   });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { FromWorker, SessionRow, StartWith, ToWorker } from "../protocol/messages";
-import { chooseSession } from "../storage/choose-session";
+import { chooseSession, type SessionChoice } from "../storage/choose-session";
 import type { JournalStore, OpenedSession } from "../storage/journal-store";
 import { openJournalStore } from "../storage/open-journal-store";
 import { CoreWorker } from "./core-worker";
@@ -9,14 +9,14 @@ import { CoreEngine } from "./engine";
 type Start = Extract<ToWorker, { kind: "start" }>;
 type Post = (message: FromWorker, transfer?: Transferable[]) => void;
 
-function sessionToOpen(startWith: StartWith, sessions: readonly SessionRow[]): string | null {
+function sessionToOpen(startWith: StartWith, sessions: readonly SessionRow[]): SessionChoice {
   switch (startWith.kind) {
     case "choose":
       return chooseSession(startWith.own, sessions, Date.now());
     case "session":
-      return startWith.session;
+      return { session: startWith.session, isPanelOffered: false };
     case "new":
-      return null;
+      return { session: null, isPanelOffered: false };
   }
 }
 
@@ -54,7 +54,8 @@ export async function startCore(start: Start, post: Post): Promise<CoreWorker> {
     post({ kind: "save_state", state });
   };
   const sessions = await store.list();
-  const opened = await store.open(sessionToOpen(start.startWith, sessions));
+  const choice = sessionToOpen(start.startWith, sessions);
+  const opened = await store.open(choice.session);
   const engine = await loading;
   engine.handle({ type: "action", name: "language", argument: start.language });
   const worker = new CoreWorker(engine, store, post);
@@ -65,6 +66,7 @@ export async function startCore(start: Start, post: Post): Promise<CoreWorker> {
     session: opened.id,
     actions: engine.actions(),
     sessions: sessions.filter((session) => session.id !== opened.id),
+    areOthersOffered: choice.isPanelOffered,
   });
   return worker;
 }

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sees what no person would: requests to elsewhere, breaches of the content security policy, errors.
+
+/** Runs in each page before its own scripts. */
+function reportBreaches() {
+  document.addEventListener("securitypolicyviolation", (breach) => {
+    globalThis.inkflateBreach(`${breach.effectiveDirective} stopped ${breach.blockedURI}`);
+  });
+}
+
+/** Faults of one browser context, each with the kind that the summary counts. */
+export class Watch {
+  faults = [];
+
+  constructor(origin, expected = []) {
+    this.origin = origin;
+    this.expected = expected;
+  }
+
+  add(kind, text) {
+    if (!this.expected.some((pattern) => pattern.test(text))) this.faults.push({ kind, text });
+  }
+
+  #seeRequest(url) {
+    const { protocol, origin } = new URL(url);
+    if (["data:", "blob:", "about:"].includes(protocol) || origin === this.origin) return;
+    this.add("foreign request", url);
+  }
+
+  #seeConsole(message) {
+    if (message.type() !== "error") return;
+    const isBreach = message.text().includes("Content Security Policy");
+    this.add(isBreach ? "policy breach" : "console error", message.text());
+  }
+
+  async attach(context) {
+    await context.exposeFunction("inkflateBreach", (text) => this.add("policy breach", text));
+    await context.addInitScript(reportBreaches);
+    context.on("request", (request) => this.#seeRequest(request.url()));
+    context.on("console", (message) => this.#seeConsole(message));
+    context.on("weberror", (found) => this.add("page error", String(found.error().stack)));
+  }
+}
