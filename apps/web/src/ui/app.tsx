@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+import "../styles/base.css";
+import "../styles/shell.css";
 import { useEffect } from "preact/hooks";
 import { examples, openExample } from "../files/examples";
 import type { Studio } from "../studio/studio";
@@ -19,8 +21,6 @@ import { StudioContext, useStudio } from "./studio-context";
 import { ToolBar } from "./tool-bar";
 import { Tooltip } from "./tooltip";
 import { TopBar } from "./top-bar";
-import "../styles/base.css";
-import "../styles/shell.css";
 
 /**
  * A press on a button leaves the focus where it is: Enter goes on meaning Simplify after a tool has been picked with the mouse. Keys
