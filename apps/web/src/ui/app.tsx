@@ -3,9 +3,17 @@ import { useEffect } from "preact/hooks";
 import type { Studio } from "../studio/studio";
 import { CanvasHost, type MountCanvas } from "./canvas-host";
 import { ContextBar } from "./context-bar";
+import { HelpPanel } from "./help-panel";
+import { Hints } from "./hints";
 import { listenToKeys } from "./keys";
+import { LongWorkBar } from "./long-work";
 import { Menu } from "./menu";
+import { Notices, StatusLine } from "./notices";
 import { followPreferences } from "./page-look";
+import { PalettePanel } from "./palette-panel";
+import { PartsPanel } from "./parts-panel";
+import { SettingsPanel } from "./settings-panel";
+import { StartPaper, type StartExample } from "./start-paper";
 import { StudioContext, useStudio } from "./studio-context";
 import { ToolBar } from "./tool-bar";
 import { Tooltip } from "./tooltip";
@@ -25,12 +33,31 @@ function keepFocus(event: MouseEvent): void {
   if (active instanceof HTMLInputElement) active.blur();
 }
 
+/** At most one of them is open. */
 function Panels() {
   const { panel } = useStudio();
-  return panel.value === "menu" ? <Menu /> : null;
+  switch (panel.value) {
+    case "menu":
+      return <Menu />;
+    case "help":
+      return <HelpPanel />;
+    case "palette":
+      return <PalettePanel />;
+    case "settings":
+      return <SettingsPanel />;
+    default:
+      return null;
+  }
 }
 
-function Shell({ mount }: { readonly mount: MountCanvas }) {
+interface AppProps {
+  readonly studio: Studio;
+  readonly mount: MountCanvas;
+  /** To tap on the empty paper. */
+  readonly examples: readonly StartExample[];
+}
+
+function Shell({ mount, examples }: Omit<AppProps, "studio">) {
   const studio = useStudio();
   return (
     <div class="studio" onMouseDown={keepFocus}>
@@ -40,6 +67,7 @@ function Shell({ mount }: { readonly mount: MountCanvas }) {
       <main id="drawing" tabIndex={-1} aria-label={studio.word("drawing")}>
         <CanvasHost mount={mount} />
       </main>
+      <StartPaper examples={examples} />
       <div class="chrome">
         <header class="top-bar">
           <TopBar />
@@ -47,26 +75,26 @@ function Shell({ mount }: { readonly mount: MountCanvas }) {
         <nav class="tools" aria-label={studio.word("tools")}>
           <ToolBar />
         </nav>
+        <PartsPanel />
         <ContextBar />
       </div>
+      <Hints />
+      <LongWorkBar />
       <Panels />
+      <Notices />
+      <StatusLine />
       <Tooltip />
     </div>
   );
 }
 
-interface AppProps {
-  readonly studio: Studio;
-  readonly mount: MountCanvas;
-}
-
 /** The whole page. */
-export function App({ studio, mount }: AppProps) {
+export function App({ studio, mount, examples }: AppProps) {
   useEffect(() => listenToKeys(studio), [studio]);
   useEffect(() => followPreferences(studio.preferences), [studio]);
   return (
     <StudioContext.Provider value={studio}>
-      <Shell mount={mount} />
+      <Shell mount={mount} examples={examples} />
     </StudioContext.Provider>
   );
 }
