@@ -6,6 +6,8 @@ import { examples, openExample } from "../files/examples";
 import type { Studio } from "../studio/studio";
 import { CanvasHost, type MountCanvas } from "./canvas-host";
 import { ContextBar } from "./context-bar";
+import { ExportPanel } from "./export-panel";
+import { GalleryPanel } from "./gallery-panel";
 import { HelpPanel } from "./help-panel";
 import { Hints } from "./hints";
 import { listenToKeys } from "./keys";
@@ -15,6 +17,7 @@ import { Notices, StatusLine } from "./notices";
 import { followPreferences } from "./page-look";
 import { PalettePanel } from "./palette-panel";
 import { PartsPanel } from "./parts-panel";
+import { SessionsPanel } from "./sessions-panel";
 import { SettingsPanel } from "./settings-panel";
 import { StartPaper, type StartExample } from "./start-paper";
 import { StudioContext, useStudio } from "./studio-context";
@@ -46,6 +49,12 @@ function OpenPanel() {
       return <PalettePanel />;
     case "settings":
       return <SettingsPanel />;
+    case "export":
+      return <ExportPanel />;
+    case "gallery":
+      return <GalleryPanel />;
+    case "sessions":
+      return <SessionsPanel />;
     default:
       return null;
   }
@@ -69,12 +78,12 @@ function Shell({ mount }: { readonly mount: MountCanvas }) {
         <nav class="tools" aria-label={studio.word("tools")}>
           <ToolBar />
         </nav>
+        <PartsPanel />
         <ContextBar />
       </div>
-      <PartsPanel />
-      <OpenPanel />
       <Hints />
       <LongWorkBar />
+      <OpenPanel />
       <Notices />
       <StatusLine />
       <Tooltip />
