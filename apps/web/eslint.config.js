@@ -36,6 +36,12 @@ const floorRules = floors.slice(0, -1).flatMap((folders, floor) =>
   })),
 );
 
+const pageGlobals = Object.fromEntries(
+  "document navigator performance requestAnimationFrame PerformanceObserver fetch File WebAssembly atob btoa indexedDB caches localStorage"
+    .split(" ")
+    .map((name) => [name, "readonly"]),
+);
+
 export default defineConfig(
   js.configs.recommended,
   tseslint.configs.strictTypeChecked,
@@ -76,20 +82,7 @@ export default defineConfig(
   {
     // Tests hold functions that run in the page.
     files: ["e2e/**"],
-    languageOptions: {
-      globals: Object.fromEntries(
-        [
-          "document",
-          "performance",
-          "requestAnimationFrame",
-          "PerformanceObserver",
-          "fetch",
-          "File",
-          "atob",
-          "btoa",
-        ].map((name) => [name, "readonly"]),
-      ),
-    },
+    languageOptions: { globals: pageGlobals },
   },
   { files: ["*.config.*"], rules: { "no-restricted-exports": "off" } },
   { ignores: ["dist"] },
