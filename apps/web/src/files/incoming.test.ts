@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { beforeEach, describe, expect, it } from "vitest";
-import { FakeStudio } from "./fake-studio";
+import { FakeStudio } from "./studio-in-test";
 import { mostFileBytes } from "./file-types";
 import { Incoming } from "./incoming";
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { FakeStudio } from "./fake-studio";
+import { FakeStudio } from "./studio-in-test";
 import { Saver } from "./saver";
 
 const out = { name: "drawing.inkflate", bytes: new Uint8Array([1, 2, 3]) };
