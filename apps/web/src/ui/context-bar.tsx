@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { EngineState } from "../protocol/state";
+import { BrushSettings, BrushSize, EraserSize } from "./brush-settings";
+import { GapSlider } from "./gap-slider";
+import { HandSettings } from "./hand-settings";
+import { ModelSettings } from "./model-settings";
+import { PartSettings } from "./part-settings";
+import { PrimaryButton } from "./primary-button";
+import { useStudio } from "./studio-context";
+import "../styles/context-bar.css";
+
+function MarkSettings() {
+  const studio = useStudio();
+  return (
+    <>
+      <p class="context-hint">{studio.word("mark_hint")}</p>
+      {!studio.state.value.hasRoughStrokes && studio.isEnabled("gap") && <GapSlider />}
+    </>
+  );
+}
+
+function ToolSettings({ state }: { readonly state: EngineState }) {
+  if (state.mode !== "draw") return <ModelSettings />;
+  switch (state.tool) {
+    case "brush":
+      return <BrushSettings />;
+    case "help_line":
+      return <BrushSize />;
+    case "eraser":
+      return <EraserSize />;
+    case "mark":
+      return <MarkSettings />;
+    case "select":
+      return <PartSettings />;
+    case "hand":
+      return <HandSettings />;
+  }
+}
+
+/** What one most likely wants to do next; null: draw. */
+function NextStep({ state }: { readonly state: EngineState }) {
+  if (state.mode !== "draw") return null;
+  if (state.hasRoughStrokes) {
+    return (
+      <div class="context-next surface">
+        <GapSlider />
+        <PrimaryButton action="simplify" />
+      </div>
+    );
+  }
+  if (state.layers.length === 0) return null;
+  return (
+    <div class="context-next surface">
+      <PrimaryButton action="mode_inflate" />
+    </div>
+  );
+}
+
+/** Only what belongs to the tool, the selection and the moment. */
+export function ContextBar() {
+  const studio = useStudio();
+  const state = studio.state.value;
+  return (
+    <section class="context-bar" aria-label={studio.word("tool_settings")} data-tip-side="top">
+      <div class="context-settings surface" key={state.mode === "draw" ? state.tool : state.mode}>
+        <ToolSettings state={state} />
+      </div>
+      <NextStep state={state} />
+    </section>
+  );
+}

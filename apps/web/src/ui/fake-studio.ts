@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+import { signal, type Signal } from "@preact/signals";
+import actionsPage from "../../../../docs/ACTIONS.md?raw";
+import { actionNames, type ActionName } from "../protocol/actions.generated";
+import type { CoreEvent } from "../protocol/events";
+import type { SaveState, SessionRow } from "../protocol/messages";
+import type { ActionRow, EngineState, LayerRow, Menu } from "../protocol/state";
+import { chordText } from "../studio/chords";
+import { emptyState } from "../studio/empty-state";
+import type { Preferences } from "../studio/preferences";
+import type { LongWork, Notice, Panel, Studio, Thumbnail } from "../studio/studio";
+import { word } from "../studio/words";
+
+/** A studio without a core, for tests of what shows it. It keeps what it was told to do. */
+export interface FakeStudio extends Studio {
+  readonly state: Signal<EngineState>;
+  readonly saveState: Signal<SaveState>;
+  readonly longWork: Signal<LongWork | null>;
+  readonly notices: Signal<readonly Notice[]>;
+  readonly sessions: Signal<readonly SessionRow[]>;
+  readonly acts: (readonly [ActionName, string])[];
+  readonly sent: CoreEvent[];
+}
+
+function isActionName(name: string): name is ActionName {
+  return (actionNames as readonly string[]).includes(name);
+}
+
+const menus: readonly Menu[] = ["file", "edit", "view", "tool", "part", "model", "help"];
+
+/** The core's table, read from the page that is printed from it. */
+function actionRows(): ActionRow[] {
+  let menu: Menu = "file";
+  return actionsPage.split("\n").flatMap((line) => {
+    const heading = /^## (\w+)/.exec(line)?.[1]?.toLowerCase();
+    menu = menus.find((each) => each === heading) ?? menu;
+    const [, quoted = "", en = "", cs = "", keys = ""] = line.split("|").map((cell) => cell.trim());
+    const name = quoted.replace(/`/g, "");
+    if (!isActionName(name)) return [];
+    const chords = [...keys.matchAll(/`([^`]+)`/g)].map(([, chord = ""]) => chord);
+    return [{ name, menu, labels: { en, cs }, chords, argument: "none", choices: [] }];
+  });
+}
+
+export function fakeLayer(id: number, change: Partial<LayerRow> = {}): LayerRow {
+  return {
+    id,
+    name: `Part ${id}`,
+    thickness: 1,
+    fill: null,
+    isHidden: false,
+    isLocked: false,
+    isOpen: false,
+    isSelected: false,
+    look: id,
+    ...change,
+  };
+}
+
+export function fakePreferences(): Preferences {
+  return {
+    theme: signal("system"),
+    paper: signal("light"),
+    language: signal("en"),
+    singleKeys: signal("on"),
+    hints: signal("show"),
+  };
+}
+
+/** What a tool, mode or value becomes when it is asked for, as far as components show it. */
+function after(state: EngineState, name: ActionName, argument: string): EngineState {
+  switch (name) {
+    case "brush":
+    case "help_line":
+    case "eraser":
+    case "mark":
+    case "hand":
+      return { ...state, tool: name };
+    case "select_tool":
+      return { ...state, tool: "select" };
+    case "mode_draw":
+      return { ...state, mode: "draw" };
+    case "mode_inflate":
+      return { ...state, mode: "inflate" };
+    case "brush_size":
+      return { ...state, brushPx: Number(argument) };
+    case "ink_colour":
+      return { ...state, ink: argument };
+    case "gap":
+      return { ...state, gapPx: argument === "auto" ? null : Number(argument) };
+    default:
+      return state;
+  }
+}
+
+/** Everything can be done in it but what `change` leaves out of `enabled`. */
+export function fakeStudio(change: Partial<EngineState> = {}): FakeStudio {
+  const state = signal<EngineState>({ ...emptyState("en"), enabled: actionNames, ...change });
+  const preferences = fakePreferences();
+  const rows = actionRows();
+  const row = (name: ActionName) => rows.find((each) => each.name === name);
+  const acts: (readonly [ActionName, string])[] = [];
+  const sent: CoreEvent[] = [];
+  const thumbnail = signal<Thumbnail | null>(null);
+  return {
+    state,
+    acts,
+    sent,
+    preferences,
+    actions: signal(rows),
+    saveState: signal<SaveState>({ kind: "saved", timeMs: 0 }),
+    longWork: signal<LongWork | null>(null),
+    notices: signal<readonly Notice[]>([]),
+    sessions: signal<readonly SessionRow[]>([]),
+    panel: signal<Panel | null>(null),
+    isStarting: signal(false),
+    word: (name, ...values) => word(name, preferences.language.value, ...values),
+    label: (name) => row(name)?.labels[preferences.language.value] ?? name,
+    chord: (name) => chordText(row(name)?.chords[0] ?? "", false),
+    isEnabled: (name) => state.value.enabled.includes(name),
+    act(name, argument = "") {
+      acts.push([name, argument]);
+      state.value = after(state.value, name, argument);
+    },
+    send: (event) => sent.push(event),
+    open: () => undefined,
+    exportAs: () => Promise.resolve([]),
+    notify: () => undefined,
+    dismiss: () => undefined,
+    cancelLongWork: () => undefined,
+    thumbnail: () => thumbnail,
+    openSession: () => undefined,
+    forgetSession: () => undefined,
+    refreshSessions: () => undefined,
+    rawSession: () => Promise.resolve(new Uint8Array()),
+    showPlace: () => undefined,
+    onFrame: () => () => undefined,
+    onFiles: () => undefined,
+    onOpen: () => undefined,
+  };
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+import { computed } from "@preact/signals";
+import { isApple as isAppleSystem } from "../studio/chords";
+import type { Studio } from "../studio/studio";
+import { coreKey, isCoreKey, isOwnKey, keysOf, type KeyOwner } from "./key-input";
+
+const textTypes = /^(text|search|number|email|url|password|tel)$/;
+const listRoles = "[role=menu], [role=listbox], [role=dialog], dialog";
+const buttonRoles = "button, a[href], summary, select, [role=button], [role=radio]";
+
+/** Who uses keys by itself, where the focus is. */
+export function ownerOf(target: EventTarget | null): KeyOwner {
+  if (!(target instanceof HTMLElement)) return "none";
+  if (target.isContentEditable || target instanceof HTMLTextAreaElement) return "text";
+  if (target instanceof HTMLInputElement && textTypes.test(target.type)) return "text";
+  if (target.closest(listRoles) !== null) return "list";
+  if (target instanceof HTMLInputElement && target.type === "range") return "slider";
+  return target instanceof HTMLInputElement || target.matches(buttonRoles) ? "button" : "none";
+}
+
+/** Esc leaves one thing at a time: what is over the canvas before what is on it. */
+function closePanel(studio: Studio, event: KeyboardEvent): boolean {
+  if (event.key !== "Escape" || studio.panel.peek() === null) return false;
+  studio.panel.value = null;
+  event.preventDefault();
+  return true;
+}
+
+/** Keys of the whole page go to the core. Returns how to stop. */
+export function listenToKeys(studio: Studio): () => void {
+  const keys = computed(() => keysOf(studio.actions.value));
+  const isApple = isAppleSystem(navigator.platform);
+
+  function tell(event: KeyboardEvent, isPress: boolean): void {
+    studio.send({
+      type: "key",
+      key: coreKey(event, keys.value),
+      isPress,
+      isRepeat: event.repeat,
+      timeS: event.timeStamp / 1000,
+      modifiers: {
+        isShift: event.shiftKey,
+        isCtrl: isApple ? event.metaKey : event.ctrlKey,
+        isAlt: event.altKey,
+      },
+    });
+  }
+
+  function onKeyDown(event: KeyboardEvent): void {
+    if (event.defaultPrevented || event.isComposing) return;
+    if (closePanel(studio, event) || isOwnKey(event, ownerOf(event.target))) return;
+    // Space scrolls, and so do arrows; the table's keys with Ctrl are the browser's own.
+    if (event.key === " " || isCoreKey(event, isApple, keys.value)) event.preventDefault();
+    tell(event, true);
+  }
+
+  function onKeyUp(event: KeyboardEvent): void {
+    if (event.key === " " || !isOwnKey(event, ownerOf(event.target))) tell(event, false);
+  }
+
+  /** A key that is let go over another window is never heard of. */
+  function onBlur(): void {
+    tell(new KeyboardEvent("keyup", { key: " " }), false);
+  }
+
+  document.addEventListener("keydown", onKeyDown);
+  document.addEventListener("keyup", onKeyUp);
+  window.addEventListener("blur", onBlur);
+  return () => {
+    document.removeEventListener("keydown", onKeyDown);
+    document.removeEventListener("keyup", onKeyUp);
+    window.removeEventListener("blur", onBlur);
+  };
+}

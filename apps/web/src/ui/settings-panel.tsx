@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Signal } from "@preact/signals";
+import { useId } from "preact/hooks";
+import type { Word } from "../studio/words";
+import "../styles/settings-panel.css";
+import { Panel } from "./panel";
+import { useStudio } from "./studio-context";
+import { useStorageEstimate } from "./use-storage-estimate";
+
+interface ChoiceRowProps<T extends string> {
+  readonly label: string;
+  readonly setting: Signal<T>;
+  readonly choices: readonly (readonly [T, Word])[];
+}
+
+/** One of a few, all of them in sight. */
+function ChoiceRow<T extends string>({ label, setting, choices }: ChoiceRowProps<T>) {
+  const studio = useStudio();
+  const name = useId();
+  return (
+    <fieldset class="setting">
+      <legend>{label}</legend>
+      <div class="setting-choices">
+        {choices.map(([value, text]) => (
+          <label key={value} class="setting-choice">
+            <input
+              type="radio"
+              name={name}
+              checked={setting.value === value}
+              onChange={() => {
+                setting.value = value;
+              }}
+            />
+            <span>{studio.word(text)}</span>
+          </label>
+        ))}
+      </div>
+    </fieldset>
+  );
+}
+
+interface SwitchRowProps {
+  readonly label: string;
+  readonly note?: string;
+  readonly isOn: boolean;
+  readonly onSwitch: (isOn: boolean) => void;
+}
+
+function SwitchRow({ label, note, isOn, onSwitch }: SwitchRowProps) {
+  const noteId = useId();
+  return (
+    <div class="setting">
+      <label class="setting-switch">
+        <span>{label}</span>
+        <input
+          type="checkbox"
+          role="switch"
+          checked={isOn}
+          aria-describedby={note === undefined ? undefined : noteId}
+          onChange={(event) => {
+            onSwitch(event.currentTarget.checked);
+          }}
+        />
+      </label>
+      {note !== undefined && (
+        <p id={noteId} class="setting-note">
+          {note}
+        </p>
+      )}
+    </div>
+  );
+}
+
+function Storage() {
+  const studio = useStudio();
+  const facts = useStorageEstimate();
+  const saveState = studio.saveState.value;
+  const refusal = { full: "not_saved_full", unavailable: "not_saved_unavailable" } as const;
+  const text = saveState.kind === "refused" ? refusal[saveState.why] : saveState.kind;
+  const language = studio.preferences.language.value;
+  const megabytes = ((facts?.usedBytes ?? 0) / 1e6).toLocaleString(language, {
+    maximumSignificantDigits: 2,
+  });
+  return (
+    <section class="setting">
+      <h3 class="setting-heading">{studio.word("storage")}</h3>
+      <p>{studio.word(text)}</p>
+      {facts !== null && (
+        <p class="setting-note">
+          {studio.word("storage_used", megabytes)}{" "}
+          {!facts.isPersistent && studio.word("storage_may_go")}
+        </p>
+      )}
+    </section>
+  );
+}
+
+/** How a person likes the studio; nothing of it is in the drawing. */
+export function SettingsPanel() {
+  const studio = useStudio();
+  const { theme, paper, language, singleKeys, hints } = studio.preferences;
+  const close = () => {
+    studio.panel.value = null;
+  };
+  return (
+    <Panel title={studio.word("settings")} onClose={close}>
+      <ChoiceRow
+        label={studio.word("theme")}
+        setting={theme}
+        choices={[
+          ["system", "theme_system"],
+          ["light", "theme_light"],
+          ["dark", "theme_dark"],
+        ]}
+      />
+      <ChoiceRow
+        label={studio.word("paper_in_dark")}
+        setting={paper}
+        choices={[
+          ["light", "paper_light"],
+          ["slate", "paper_slate"],
+        ]}
+      />
+      <ChoiceRow
+        label={studio.label("language")}
+        setting={language}
+        choices={[
+          ["en", "language_english"],
+          ["cs", "language_czech"],
+        ]}
+      />
+      <SwitchRow
+        label={studio.label("grid")}
+        isOn={studio.state.value.hasGrid}
+        onSwitch={() => {
+          studio.act("grid");
+        }}
+      />
+      <SwitchRow
+        label={studio.label("single_keys")}
+        note={studio.word("single_keys_note")}
+        isOn={singleKeys.value === "on"}
+        onSwitch={(isOn) => {
+          singleKeys.value = isOn ? "on" : "off";
+        }}
+      />
+      <SwitchRow
+        label={studio.word("hints")}
+        note={studio.word("hints_note")}
+        isOn={hints.value === "show"}
+        onSwitch={(isOn) => {
+          hints.value = isOn ? "show" : "done";
+        }}
+      />
+      <Storage />
+    </Panel>
+  );
+}
