@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect } from "preact/hooks";
+import { examples, openExample } from "../files/examples";
 import type { Studio } from "../studio/studio";
 import { CanvasHost, type MountCanvas } from "./canvas-host";
 import { ContextBar } from "./context-bar";
+import { HelpPanel } from "./help-panel";
+import { Hints } from "./hints";
 import { listenToKeys } from "./keys";
+import { LongWorkBar } from "./long-work";
 import { Menu } from "./menu";
+import { Notices, StatusLine } from "./notices";
 import { followPreferences } from "./page-look";
+import { PalettePanel } from "./palette-panel";
+import { PartsPanel } from "./parts-panel";
+import { SettingsPanel } from "./settings-panel";
+import { StartPaper, type StartExample } from "./start-paper";
 import { StudioContext, useStudio } from "./studio-context";
 import { ToolBar } from "./tool-bar";
 import { Tooltip } from "./tooltip";
@@ -25,9 +34,21 @@ function keepFocus(event: MouseEvent): void {
   if (active instanceof HTMLInputElement) active.blur();
 }
 
-function Panels() {
+/** What lies over the canvas when it is asked for. Parts have a place of their own where the window is wide. */
+function OpenPanel() {
   const { panel } = useStudio();
-  return panel.value === "menu" ? <Menu /> : null;
+  switch (panel.value) {
+    case "menu":
+      return <Menu />;
+    case "help":
+      return <HelpPanel />;
+    case "palette":
+      return <PalettePanel />;
+    case "settings":
+      return <SettingsPanel />;
+    default:
+      return null;
+  }
 }
 
 function Shell({ mount }: { readonly mount: MountCanvas }) {
@@ -39,6 +60,7 @@ function Shell({ mount }: { readonly mount: MountCanvas }) {
       </a>
       <main id="drawing" tabIndex={-1} aria-label={studio.word("drawing")}>
         <CanvasHost mount={mount} />
+        <StartPaper examples={startExamples(studio)} />
       </main>
       <div class="chrome">
         <header class="top-bar">
@@ -49,10 +71,24 @@ function Shell({ mount }: { readonly mount: MountCanvas }) {
         </nav>
         <ContextBar />
       </div>
-      <Panels />
+      <PartsPanel />
+      <OpenPanel />
+      <Hints />
+      <LongWorkBar />
+      <Notices />
+      <StatusLine />
       <Tooltip />
     </div>
   );
+}
+
+/** Rough ones, so that the first key pressed is the one that closes them. */
+function startExamples(studio: Studio): StartExample[] {
+  return examples.slice(0, 3).map((example) => ({
+    name: studio.word(example.name),
+    picture: example.picture,
+    open: () => void openExample(studio, example),
+  }));
 }
 
 interface AppProps {
