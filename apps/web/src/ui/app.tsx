@@ -40,6 +40,9 @@ function keepFocus(event: MouseEvent): void {
 /** What lies over the canvas when it is asked for. Parts have a place of their own where the window is wide. */
 function OpenPanel() {
   const { panel } = useStudio();
+  const close = () => {
+    panel.value = null;
+  };
   switch (panel.value) {
     case "menu":
       return <Menu />;
@@ -50,9 +53,9 @@ function OpenPanel() {
     case "settings":
       return <SettingsPanel />;
     case "export":
-      return <ExportPanel />;
+      return <ExportPanel onClose={close} />;
     case "gallery":
-      return <GalleryPanel />;
+      return <GalleryPanel onClose={close} />;
     case "sessions":
       return <SessionsPanel />;
     default:
