@@ -46,7 +46,11 @@ function OpenPanel() {
       return <PalettePanel />;
     case "settings":
       return <SettingsPanel />;
-    default:
+    case "export":
+    case "gallery":
+    case "parts":
+    case "sessions":
+    case null:
       return null;
   }
 }
