@@ -66,8 +66,8 @@ function Shell({ mount, examples }: Omit<AppProps, "studio">) {
       </a>
       <main id="drawing" tabIndex={-1} aria-label={studio.word("drawing")}>
         <CanvasHost mount={mount} />
+        <StartPaper examples={examples} />
       </main>
-      <StartPaper examples={examples} />
       <div class="chrome">
         <header class="top-bar">
           <TopBar />
