@@ -14,6 +14,8 @@ export interface PanelProps {
   /** On wide screens; on narrow ones all but "top" are sheets that slide up. */
   readonly place?: "right" | "middle" | "top";
   readonly isLarge?: boolean;
+  /** There is more to read than to press: Tab reaches what scrolls. */
+  readonly isReading?: boolean;
   /** Stands between the title and what scrolls: a search field, tabs. */
   readonly head?: ComponentChildren;
   /** Stands below what scrolls: the primary button. */
@@ -49,15 +51,17 @@ export function Panel(props: PanelProps) {
       style={{ "--dragged": `${sheet.movedPx}px` }}
     >
       <div class="panel-handle" aria-hidden="true" {...sheet.handle} />
-      <header class="panel-header">
+      <div class="panel-header">
         <h2 id={titleId} class="panel-title">
           {props.title}
         </h2>
         <IconButton icon={X} label={studio.word("close")} onClick={props.onClose} />
-      </header>
+      </div>
       {props.head}
-      <div class="panel-body">{props.children}</div>
-      {props.foot !== undefined && <footer class="panel-foot">{props.foot}</footer>}
+      <div class="panel-body" tabIndex={props.isReading === true ? 0 : undefined}>
+        {props.children}
+      </div>
+      {props.foot !== undefined && <div class="panel-foot">{props.foot}</div>}
     </section>
   );
 }
