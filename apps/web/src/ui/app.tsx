@@ -4,6 +4,8 @@ import { examples, openExample } from "../files/examples";
 import type { Studio } from "../studio/studio";
 import { CanvasHost, type MountCanvas } from "./canvas-host";
 import { ContextBar } from "./context-bar";
+import { ExportPanel } from "./export-panel";
+import { GalleryPanel } from "./gallery-panel";
 import { HelpPanel } from "./help-panel";
 import { Hints } from "./hints";
 import { listenToKeys } from "./keys";
@@ -42,6 +44,10 @@ function OpenPanel() {
       return <Menu />;
     case "help":
       return <HelpPanel />;
+    case "export":
+      return <ExportPanel />;
+    case "gallery":
+      return <GalleryPanel />;
     case "palette":
       return <PalettePanel />;
     case "settings":
