@@ -52,7 +52,9 @@ function OpenPanel() {
       return <PalettePanel />;
     case "settings":
       return <SettingsPanel />;
-    default:
+    case "parts":
+    case "sessions":
+    case null:
       return null;
   }
 }
