@@ -58,7 +58,8 @@ function OpenPanel() {
       return <GalleryPanel onClose={close} />;
     case "sessions":
       return <SessionsPanel />;
-    default:
+    case "parts":
+    case null:
       return null;
   }
 }
