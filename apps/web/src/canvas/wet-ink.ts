@@ -51,7 +51,7 @@ export class WetInk {
       this.inked = joined(this.inked, grown(at, widest / 2 + 2));
     }
     const path = new Path2D();
-    if (look.isDashed) {
+    if (look.isDashed && points.length > 1) {
       for (const { place } of points) path.lineTo(place[0], place[1]);
       const dash = dashShare * look.widthPx;
       context.strokeStyle = colourText(look.colour);

@@ -31,7 +31,7 @@ export class InkPass {
   readonly #ink: Program;
   readonly #seen: Target;
   readonly #inked: Target;
-  readonly #across: Target;
+  readonly #nearness: Target;
   readonly #nothing: WebGLVertexArrayObject;
 
   constructor(gl: WebGL2RenderingContext) {
@@ -42,7 +42,7 @@ export class InkPass {
     this.#ink = new Program(gl, [screenVertex], [inkFragment]);
     this.#seen = new Target(gl, "colour and depth");
     this.#inked = new Target(gl, "share");
-    this.#across = new Target(gl, "share");
+    this.#nearness = new Target(gl, "share");
     this.#nothing = gl.createVertexArray();
   }
 
@@ -54,7 +54,7 @@ export class InkPass {
     const longer = Math.max(pose.size.width, pose.size.height);
     const radius = Math.max(THINNEST_EDGE_PX, EDGE_SHARE * longer * ratio) * samples;
     const reach = Math.ceil(radius + 0.5);
-    for (const target of [this.#seen, this.#inked, this.#across]) {
+    for (const target of [this.#seen, this.#inked, this.#nearness]) {
       target.resize(samples * width, samples * height);
     }
     gl.disable(gl.BLEND);
@@ -66,18 +66,18 @@ export class InkPass {
     gl.enable(gl.BLEND);
     const ink = [...INK.map((channel) => channel * strength), strength];
     this.#ink.use({
-      u_across: 0,
+      u_nearness: 0,
       u_reach: reach,
       u_radius: radius,
       u_samples: samples,
       u_ink: ink,
     });
-    this.#cover(this.#across.colour);
+    this.#cover(this.#nearness.colour);
   }
 
   dispose(): void {
     for (const program of [this.#normals, this.#edges, this.#spans, this.#ink]) program.dispose();
-    for (const target of [this.#seen, this.#inked, this.#across]) target.dispose();
+    for (const target of [this.#seen, this.#inked, this.#nearness]) target.dispose();
     this.#gl.deleteVertexArray(this.#nothing);
   }
 
@@ -100,7 +100,7 @@ export class InkPass {
   }
 
   #measure(reach: number): void {
-    this.#across.begin();
+    this.#nearness.begin();
     this.#spans.use({ u_inked: 0, u_reach: reach });
     this.#cover(this.#inked.colour);
   }

@@ -3,6 +3,7 @@ import { X } from "lucide-preact";
 import type { ComponentChildren } from "preact";
 import { useId, useRef } from "preact/hooks";
 import "../styles/panel.css";
+import { IconButton } from "./icon-button";
 import { useStudio } from "./studio-context";
 import { useBorrowedFocus, useDismissal } from "./use-dismissal";
 import { useSheetDrag } from "./use-sheet-drag";
@@ -38,7 +39,7 @@ export function Panel(props: PanelProps) {
   return (
     <section
       ref={root}
-      class={`panel panel-${place}${size}`}
+      class={`panel surface-raised panel-${place}${size}`}
       role="dialog"
       aria-modal="false"
       aria-labelledby={titleId}
@@ -52,14 +53,7 @@ export function Panel(props: PanelProps) {
         <h2 id={titleId} class="panel-title">
           {props.title}
         </h2>
-        <button
-          type="button"
-          class="panel-close"
-          aria-label={studio.word("close")}
-          onClick={props.onClose}
-        >
-          <X size={18} aria-hidden="true" />
-        </button>
+        <IconButton icon={X} label={studio.word("close")} onClick={props.onClose} />
       </header>
       {props.head}
       <div class="panel-body">{props.children}</div>

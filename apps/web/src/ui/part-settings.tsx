@@ -30,7 +30,7 @@ const fills: readonly Swatch[] = [
 /** 1 is as the drawing suggests; the core takes 0.1 to 32. */
 const thicknessScale = ratioScale(0.1, 10);
 
-function Thickness({ value }: { readonly value: number }) {
+export function Thickness({ value }: { readonly value: number }) {
   const studio = useStudio();
   return (
     <Slider
@@ -45,7 +45,7 @@ function Thickness({ value }: { readonly value: number }) {
   );
 }
 
-function Fill({ colour }: { readonly colour: string | null }) {
+export function Fill({ colour }: { readonly colour: string | null }) {
   const studio = useStudio();
   return (
     <Swatches
