@@ -6,6 +6,8 @@ import { examples, openExample } from "../files/examples";
 import type { Studio } from "../studio/studio";
 import { CanvasHost, type MountCanvas } from "./canvas-host";
 import { ContextBar } from "./context-bar";
+import { ExportPanel } from "./export-panel";
+import { GalleryPanel } from "./gallery-panel";
 import { HelpPanel } from "./help-panel";
 import { Hints } from "./hints";
 import { listenToKeys } from "./keys";
@@ -15,6 +17,7 @@ import { Notices, StatusLine } from "./notices";
 import { followPreferences } from "./page-look";
 import { PalettePanel } from "./palette-panel";
 import { PartsPanel } from "./parts-panel";
+import { SessionsPanel } from "./sessions-panel";
 import { SettingsPanel } from "./settings-panel";
 import { StartPaper, type StartExample } from "./start-paper";
 import { StudioContext, useStudio } from "./studio-context";
@@ -37,6 +40,9 @@ function keepFocus(event: MouseEvent): void {
 /** What lies over the canvas when it is asked for. Parts have a place of their own where the window is wide. */
 function OpenPanel() {
   const { panel } = useStudio();
+  const close = () => {
+    panel.value = null;
+  };
   switch (panel.value) {
     case "menu":
       return <Menu />;
@@ -47,9 +53,12 @@ function OpenPanel() {
     case "settings":
       return <SettingsPanel />;
     case "export":
+      return <ExportPanel onClose={close} />;
     case "gallery":
-    case "parts":
+      return <GalleryPanel onClose={close} />;
     case "sessions":
+      return <SessionsPanel />;
+    case "parts":
     case null:
       return null;
   }
@@ -71,12 +80,12 @@ function Shell({ mount }: { readonly mount: MountCanvas }) {
         <nav class="tools" aria-label={studio.word("tools")}>
           <ToolBar />
         </nav>
+        <PartsPanel />
         <ContextBar />
       </div>
-      <PartsPanel />
-      <OpenPanel />
       <Hints />
       <LongWorkBar />
+      <OpenPanel />
       <Notices />
       <StatusLine />
       <Tooltip />
