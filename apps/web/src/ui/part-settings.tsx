@@ -10,7 +10,6 @@ import {
   FlipVerticalIcon,
   NearerIcon,
 } from "./icons";
-import { isNarrow } from "./narrow";
 import { Popover } from "./popover";
 import { ratioScale } from "./scales";
 import { Slider } from "./slider";
@@ -65,29 +64,18 @@ export function PartSettings() {
   const first = studio.state.value.layers.find((layer) => layer.isSelected);
   if (first === undefined) return <p class="context-hint">{studio.word("select_hint")}</p>;
   return (
-    <>
-      <div class="context-icons">
-        <ActionButton icon={DuplicateIcon} action="duplicate" />
-        <ActionButton icon={FlipHorizontalIcon} action="flip_horizontal" />
-        <ActionButton icon={FlipVerticalIcon} action="flip_vertical" />
-        <ActionButton icon={NearerIcon} action="depth_nearer" />
-        <ActionButton icon={FartherIcon} action="depth_farther" />
-      </div>
-      {isNarrow.value ? (
-        <Popover icon={AdjustIcon} label={studio.word("thickness_and_colour")}>
-          <Thickness value={first.thickness} />
-          <Fill colour={first.fill} />
-        </Popover>
-      ) : (
-        <>
-          <Thickness value={first.thickness} />
-          <Fill colour={first.fill} />
-        </>
-      )}
-      <div class="context-icons">
-        <ActionButton icon={EditLinesIcon} action={first.isOpen ? "close_part" : "open_part"} />
-        <ActionButton icon={DeleteIcon} action="delete" tone="danger" />
-      </div>
-    </>
+    <div class="context-icons">
+      <ActionButton icon={DuplicateIcon} action="duplicate" />
+      <ActionButton icon={FlipHorizontalIcon} action="flip_horizontal" />
+      <ActionButton icon={FlipVerticalIcon} action="flip_vertical" />
+      <ActionButton icon={NearerIcon} action="depth_nearer" />
+      <ActionButton icon={FartherIcon} action="depth_farther" />
+      <Popover icon={AdjustIcon} label={studio.word("thickness_and_colour")}>
+        <Thickness value={first.thickness} />
+        <Fill colour={first.fill} />
+      </Popover>
+      <ActionButton icon={EditLinesIcon} action={first.isOpen ? "close_part" : "open_part"} />
+      <ActionButton icon={DeleteIcon} action="delete" tone="danger" />
+    </div>
   );
 }
