@@ -2,8 +2,7 @@
 // Keeps all files of one build, so that the studio starts and works without a network. Another build is taken over
 // only when the person says so.
 
-/** The types of the page and of workers stand side by side here: what `self` is has to be told. */
-const scope = self as unknown as ServiceWorkerGlobalScope;
+declare const self: ServiceWorkerGlobalScope;
 
 /** Written by the build: tools/studio-plugins.ts. */
 declare const __INKFLATE_FILES__: {
@@ -12,7 +11,7 @@ declare const __INKFLATE_FILES__: {
   readonly files: readonly (readonly [path: string, integrity: string])[];
 };
 const build = __INKFLATE_FILES__;
-const home = scope.registration.scope;
+const home = self.registration.scope;
 
 /** One site may hold several studios. */
 const prefix = `inkflate ${home} `;
@@ -44,20 +43,23 @@ async function answer(request: Request): Promise<Response> {
   return (await cache.match(wanted, { ignoreSearch: true })) ?? fetch(request);
 }
 
-scope.addEventListener("install", (event) => {
+self.addEventListener("install", (event) => {
   event.waitUntil(install());
 });
 
-scope.addEventListener("activate", (event) => {
-  event.waitUntil(removeOlder().then(() => scope.clients.claim()));
+self.addEventListener("activate", (event) => {
+  event.waitUntil(removeOlder().then(() => self.clients.claim()));
 });
 
-scope.addEventListener("message", (event) => {
-  if (event.data === "take over") event.waitUntil(scope.skipWaiting());
+self.addEventListener("message", (event) => {
+  if (event.data === "take over") event.waitUntil(self.skipWaiting());
 });
 
-scope.addEventListener("fetch", (event) => {
+self.addEventListener("fetch", (event) => {
   const { request } = event;
   if (request.method !== "GET" || !request.url.startsWith(home)) return;
   event.respondWith(answer(request));
 });
+
+// Without it the types of the page and those of this file would be the same.
+export {};

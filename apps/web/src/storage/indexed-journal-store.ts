@@ -109,13 +109,15 @@ export class IndexedJournalStore implements JournalStore {
 
   private goOn(session: string, { lines, record }: FoundSession): OpenedSession {
     const generations = assembleGenerations(lines, record);
-    const newest = generations[0];
-    const last = lines.filter((line) => line.key[1] === newest?.number);
-    const earlier = newest && {
+    const best = generations[0];
+    const newest = Math.max(...generations.map(({ number }) => number));
+    const isOfOneLine = lines.filter((line) => line.key[1] === newest).length === 1;
+    const earlier = best && {
       created: record?.created ?? this.parts.now(),
       holder: record?.holder ?? "",
       newest,
-      isFresh: last.length === 1,
+      bytes: best.bytes,
+      isFresh: isOfOneLine && best.number === newest && !best.isTorn,
     };
     this.begin(session, earlier ?? null);
     return { id: session, generations };

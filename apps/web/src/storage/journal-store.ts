@@ -12,7 +12,10 @@ export interface Generation {
 
 export interface OpenedSession {
   readonly id: string;
-  /** Newest first; empty: a new session. The first that the core can read is the one to go on with. */
+  /**
+   * Newest first, but a torn one behind an older one that knows more; empty: a new session. The first that the core can read is the
+   * one to go on with; what is appended goes on from the first.
+   */
   readonly generations: readonly Generation[];
 }
 

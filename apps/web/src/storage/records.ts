@@ -102,7 +102,22 @@ function assembleOne(number: number, lines: readonly FoundLine[], wanted: number
   return { number, bytes: joinBytes(whole), isTorn };
 }
 
-/** lines: of one session, in the order of their keys. record: null: lost. Newest first. */
+/** Whether an older journal holds all that can be read of a torn one, and more: the torn one began as a copy of it. */
+function knowsMore(older: Generation, torn: Generation): boolean {
+  const start = older.bytes.subarray(0, torn.bytes.byteLength);
+  return older.bytes.byteLength > torn.bytes.byteLength && areSameBytes(start, torn.bytes);
+}
+
+/** The best first: a torn one stands behind one that knows more. */
+function ordered(newestFirst: readonly Generation[]): Generation[] {
+  const [newest, ...others] = newestFirst;
+  if (!newest) return [];
+  const better = newest.isTorn ? others.find((each) => knowsMore(each, newest)) : undefined;
+  if (!better) return [...newestFirst];
+  return [better, ...newestFirst.filter((each) => each !== better)];
+}
+
+/** lines: of one session, in the order of their keys. record: null: lost. The one to go on with first. */
 export function assembleGenerations(
   lines: readonly FoundLine[],
   record: SessionRecord | null,
@@ -114,13 +129,14 @@ export function assembleGenerations(
     if (others) others.push(line);
     else byNumber.set(line.key[1], [line]);
   }
-  return [...byNumber]
+  const newestFirst = [...byNumber]
     .sort(([a], [b]) => b - a)
     .map(([number, own]) => assembleOne(number, own, number === record?.newest ? record.lines : 0));
+  return ordered(newestFirst);
 }
 
 /** Everything of a session, damaged or not, newest generation first, so that a reader of journals begins with it. */
 export function rawBytes(lines: readonly FoundLine[]): Uint8Array<ArrayBuffer> {
-  const ordered = lines.toSorted((a, b) => b.key[1] - a.key[1] || a.key[2] - b.key[2]);
-  return joinBytes(ordered.map((line) => line.bytes ?? new Uint8Array(0)));
+  const inOrder = lines.toSorted((a, b) => b.key[1] - a.key[1] || a.key[2] - b.key[2]);
+  return joinBytes(inOrder.map((line) => line.bytes ?? new Uint8Array(0)));
 }

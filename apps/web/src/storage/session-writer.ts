@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { SaveState } from "../protocol/messages";
 import { areSameBytes, joinBytes } from "./bytes";
-import type { Generation } from "./journal-store";
 import type { Description, LineKey } from "./records";
 import { ReadBackDiffers, SessionGone, SessionTaken, type SessionTable } from "./session-table";
 
@@ -20,8 +19,11 @@ interface Piece {
 export interface Earlier {
   readonly created: number;
   readonly holder: string;
-  readonly newest: Generation;
-  /** The newest generation was written in one piece and nothing was added. */
+  /** The number of the newest generation. */
+  readonly newest: number;
+  /** To go on from. */
+  readonly bytes: Uint8Array;
+  /** The newest generation is these bytes, written in one piece. */
   readonly isFresh: boolean;
 }
 
@@ -69,12 +71,12 @@ export class SessionWriter {
     this.holders = [this.holder];
     this.created = earlier?.created ?? parts.now();
     if (earlier === null) return;
-    const { newest, isFresh, holder } = earlier;
+    const { newest, bytes, isFresh, holder } = earlier;
     this.holders.push(holder);
-    this.newest = newest.number;
-    this.whole = [newest.bytes];
-    this.stored = { generation: newest.number, lines: 1 };
-    this.fresh = isFresh && !newest.isTorn ? newest.bytes : null;
+    this.newest = newest;
+    this.whole = [bytes];
+    this.stored = { generation: newest, lines: 1 };
+    this.fresh = isFresh ? bytes : null;
   }
 
   append(bytes: Uint8Array): void {

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+import "../styles/base.css";
+import "../styles/shell.css";
 import { useEffect } from "preact/hooks";
+import { examples, openExample } from "../files/examples";
 import type { Studio } from "../studio/studio";
 import { CanvasHost, type MountCanvas } from "./canvas-host";
 import { ContextBar } from "./context-bar";
+import { ExportPanel } from "./export-panel";
+import { GalleryPanel } from "./gallery-panel";
 import { HelpPanel } from "./help-panel";
 import { Hints } from "./hints";
 import { listenToKeys } from "./keys";
@@ -12,14 +17,13 @@ import { Notices, StatusLine } from "./notices";
 import { followPreferences } from "./page-look";
 import { PalettePanel } from "./palette-panel";
 import { PartsPanel } from "./parts-panel";
+import { SessionsPanel } from "./sessions-panel";
 import { SettingsPanel } from "./settings-panel";
 import { StartPaper, type StartExample } from "./start-paper";
 import { StudioContext, useStudio } from "./studio-context";
 import { ToolBar } from "./tool-bar";
 import { Tooltip } from "./tooltip";
 import { TopBar } from "./top-bar";
-import "../styles/base.css";
-import "../styles/shell.css";
 
 /**
  * A press on a button leaves the focus where it is: Enter goes on meaning Simplify after a tool has been picked with the mouse. Keys
@@ -33,9 +37,12 @@ function keepFocus(event: MouseEvent): void {
   if (active instanceof HTMLInputElement) active.blur();
 }
 
-/** At most one of them is open. */
-function Panels() {
+/** What lies over the canvas when it is asked for. Parts have a place of their own where the window is wide. */
+function OpenPanel() {
   const { panel } = useStudio();
+  const close = () => {
+    panel.value = null;
+  };
   switch (panel.value) {
     case "menu":
       return <Menu />;
@@ -45,19 +52,19 @@ function Panels() {
       return <PalettePanel />;
     case "settings":
       return <SettingsPanel />;
-    default:
+    case "export":
+      return <ExportPanel onClose={close} />;
+    case "gallery":
+      return <GalleryPanel onClose={close} />;
+    case "sessions":
+      return <SessionsPanel />;
+    case "parts":
+    case null:
       return null;
   }
 }
 
-interface AppProps {
-  readonly studio: Studio;
-  readonly mount: MountCanvas;
-  /** To tap on the empty paper. */
-  readonly examples: readonly StartExample[];
-}
-
-function Shell({ mount, examples }: Omit<AppProps, "studio">) {
+function Shell({ mount }: { readonly mount: MountCanvas }) {
   const studio = useStudio();
   return (
     <div class="studio" onMouseDown={keepFocus}>
@@ -66,7 +73,7 @@ function Shell({ mount, examples }: Omit<AppProps, "studio">) {
       </a>
       <main id="drawing" tabIndex={-1} aria-label={studio.word("drawing")}>
         <CanvasHost mount={mount} />
-        <StartPaper examples={examples} />
+        <StartPaper examples={startExamples(studio)} />
       </main>
       <div class="chrome">
         <header class="top-bar">
@@ -80,7 +87,7 @@ function Shell({ mount, examples }: Omit<AppProps, "studio">) {
       </div>
       <Hints />
       <LongWorkBar />
-      <Panels />
+      <OpenPanel />
       <Notices />
       <StatusLine />
       <Tooltip />
@@ -88,13 +95,27 @@ function Shell({ mount, examples }: Omit<AppProps, "studio">) {
   );
 }
 
+/** Rough ones, so that the first key pressed is the one that closes them. */
+function startExamples(studio: Studio): StartExample[] {
+  return examples.slice(0, 3).map((example) => ({
+    name: studio.word(example.name),
+    picture: example.picture,
+    open: () => void openExample(studio, example),
+  }));
+}
+
+interface AppProps {
+  readonly studio: Studio;
+  readonly mount: MountCanvas;
+}
+
 /** The whole page. */
-export function App({ studio, mount, examples }: AppProps) {
+export function App({ studio, mount }: AppProps) {
   useEffect(() => listenToKeys(studio), [studio]);
   useEffect(() => followPreferences(studio.preferences), [studio]);
   return (
     <StudioContext.Provider value={studio}>
-      <Shell mount={mount} examples={examples} />
+      <Shell mount={mount} />
     </StudioContext.Provider>
   );
 }

@@ -81,22 +81,25 @@ function Inks() {
   );
 }
 
+/** The ink that the brush has. */
+function InkDot() {
+  const studio = useStudio();
+  return <span class="ink-dot" style={{ "--swatch": studio.state.value.ink }} aria-hidden="true" />;
+}
+
 export function BrushSettings() {
   const studio = useStudio();
-  if (!isNarrow.value) {
-    return (
-      <>
-        <BrushSize />
-        <Inks />
-        <Smoothing />
-      </>
-    );
-  }
   return (
     <>
       <BrushSize />
-      <Popover icon={AdjustIcon} label={studio.word("ink_and_smoothing")}>
+      {isNarrow.value ? (
+        <Popover icon={InkDot} label={studio.label("ink_colour")}>
+          <Inks />
+        </Popover>
+      ) : (
         <Inks />
+      )}
+      <Popover icon={AdjustIcon} label={studio.label("smoothing")}>
         <Smoothing />
       </Popover>
     </>

@@ -50,7 +50,7 @@ function NextStep({ state }: { readonly state: EngineState }) {
   }
   if (state.layers.length === 0) return null;
   return (
-    <div class="context-next surface">
+    <div class="context-next">
       <PrimaryButton action="mode_inflate" />
     </div>
   );

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much memory a page and its workers hold, after all garbage has gone.
+
+const mega = (bytes) => bytes / 1024 / 1024;
+
+/** Speaks with the workers of a page, which have their own ends of the browser's protocol. */
+class Workers {
+  #sessions = new Set();
+  #waiting = new Map();
+  #number = 0;
+
+  constructor(cdp) {
+    this.cdp = cdp;
+    cdp.on("Target.attachedToTarget", ({ sessionId }) => this.#sessions.add(sessionId));
+    cdp.on("Target.detachedFromTarget", ({ sessionId }) => this.#sessions.delete(sessionId));
+    cdp.on("Target.receivedMessageFromTarget", ({ message }) => {
+      const { id, result } = JSON.parse(message);
+      this.#waiting.get(id)?.(result);
+    });
+  }
+
+  async attach() {
+    const wanted = { autoAttach: true, waitForDebuggerOnStart: false, flatten: false };
+    await this.cdp.send("Target.setAutoAttach", wanted);
+  }
+
+  get all() {
+    return [...this.#sessions];
+  }
+
+  ask(sessionId, method, params = {}) {
+    const id = ++this.#number;
+    const answer = new Promise((resolve) => this.#waiting.set(id, resolve));
+    const message = JSON.stringify({ id, method, params });
+    return this.cdp.send("Target.sendMessageToTarget", { sessionId, message }).then(() => answer);
+  }
+}
+
+/** Bytes of all WebAssembly memories of a worker. */
+async function wasmBytes(workers, session) {
+  const expression = "WebAssembly.Memory.prototype";
+  const prototype = await workers.ask(session, "Runtime.evaluate", { expression });
+  const { objects } = await workers.ask(session, "Runtime.queryObjects", {
+    prototypeObjectId: prototype.result.objectId,
+  });
+  const sum = await workers.ask(session, "Runtime.callFunctionOn", {
+    objectId: objects.objectId,
+    functionDeclaration:
+      "function () { return this.reduce((sum, m) => sum + m.buffer.byteLength, 0); }",
+    returnByValue: true,
+  });
+  return sum.result.value;
+}
+
+export async function memoryOf(page) {
+  const cdp = await page.context().newCDPSession(page);
+  const workers = new Workers(cdp);
+  await workers.attach();
+  await page.waitForTimeout(200);
+  await cdp.send("HeapProfiler.collectGarbage");
+  const { usedSize } = await cdp.send("Runtime.getHeapUsage");
+  const found = { pageMB: mega(usedSize), workerMB: 0, wasmMB: 0 };
+  for (const session of workers.all) {
+    await workers.ask(session, "HeapProfiler.collectGarbage");
+    found.workerMB += mega((await workers.ask(session, "Runtime.getHeapUsage")).usedSize);
+    found.wasmMB += mega(await wasmBytes(workers, session));
+  }
+  await cdp.detach();
+  return found;
+}

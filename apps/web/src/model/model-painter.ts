@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { ModelMesh, ModelUpdate } from "../protocol/scene";
+import { GpuModel } from "./gpu-model";
+import { InkPass } from "./ink-pass";
+import type { Pose } from "./pose";
+import { ShadowPass } from "./shadow-pass";
+import { SurfacePass } from "./surface-pass";
+
+/** All that lives in one WebGL context: gone with it, and made anew from the mesh alone. */
+export class ModelPainter {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #shadow: ShadowPass;
+  readonly #surface: SurfacePass;
+  /** Made when the first picture needs it. */
+  #ink: InkPass | null = null;
+  #mesh: ModelMesh | null = null;
+  #model: GpuModel | null = null;
+
+  constructor(gl: WebGL2RenderingContext) {
+    this.#gl = gl;
+    this.#shadow = new ShadowPass(gl);
+    this.#surface = new SurfacePass(gl);
+    // All colours are premultiplied.
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    // Of two at the same depth the first stays.
+    gl.depthFunc(gl.LESS);
+    gl.clearColor(0, 0, 0, 0);
+  }
+
+  /** The mesh in the memory of the GPU; it is sent there once. */
+  model(mesh: ModelMesh): GpuModel {
+    if (this.#model && this.#mesh === mesh) return this.#model;
+    this.#model?.dispose();
+    this.#mesh = mesh;
+    this.#model = new GpuModel(this.#gl, mesh);
+    return this.#model;
+  }
+
+  /** ratio: px of the display for one of the view. */
+  paint(model: GpuModel, update: ModelUpdate, pose: Pose, ratio: number): void {
+    const gl = this.#gl;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    this.#shadow.draw(update.shadow, pose.size, pose.share);
+    this.#surface.draw(model, pose, update.shading);
+    if (update.shading !== "lines") return;
+    this.#ink ??= new InkPass(gl);
+    this.#ink.draw(model, pose, ratio, pose.share);
+  }
+
+  dispose(): void {
+    this.#model?.dispose();
+    this.#ink?.dispose();
+    this.#surface.dispose();
+    this.#shadow.dispose();
+  }
+}
