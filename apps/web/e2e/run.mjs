@@ -14,7 +14,7 @@ import { serve } from "./harness/static-server.mjs";
 import { takeTests } from "./harness/tests.mjs";
 import { fileNameOf, visit } from "./harness/visit.mjs";
 
-const usualTimeoutS = 60;
+const usualTimeoutS = 120;
 
 const words = process.argv.slice(2);
 const isLong = words.includes("--long");

@@ -10,6 +10,8 @@ import normalsFragment from "./shaders/normals.frag.glsl?raw";
 import screenVertex from "./shaders/screen.vert.glsl?raw";
 import spansFragment from "./shaders/spans.frag.glsl?raw";
 import surfaceNormal from "./shaders/surface-normal.glsl?raw";
+import { screenBox } from "./screen-box";
+import type { ScreenBox } from "./screen-box";
 import { Target } from "./target";
 
 /** src/render/rasterise_model.cpp: half the width of an inked edge and the least step in depth, as shares of the longer side. */
@@ -56,13 +58,18 @@ export class InkPass {
     const reach = Math.ceil(radius + 0.5);
     for (const target of [this.#seen, this.#inked, this.#nearness]) {
       target.resize(samples * width, samples * height);
+      target.clear();
     }
+    const picture = { width: samples * width, height: samples * height };
+    const box = screenBox(pose.toClip, model.extent, picture, reach + 2);
     gl.disable(gl.BLEND);
+    this.#limitTo(box, 1);
     this.#drawSeen(model, pose);
     this.#findEdges(pose.depthPx, JUMP_SHARE * longer);
     this.#measure(reach);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, width, height);
+    this.#limitTo(box, samples);
     gl.enable(gl.BLEND);
     const ink = [...INK.map((channel) => channel * strength), strength];
     this.#ink.use({
@@ -73,12 +80,26 @@ export class InkPass {
       u_ink: ink,
     });
     this.#cover(this.#nearness.colour);
+    gl.disable(gl.SCISSOR_TEST);
   }
 
   dispose(): void {
     for (const program of [this.#normals, this.#edges, this.#spans, this.#ink]) program.dispose();
     for (const target of [this.#seen, this.#inked, this.#nearness]) target.dispose();
     this.#gl.deleteVertexArray(this.#nothing);
+  }
+
+  /** Where nothing of the model is, there is nothing to do. */
+  #limitTo(box: ScreenBox, samples: number): void {
+    const gl = this.#gl;
+    const up = (px: number): number => Math.ceil(px / samples);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(
+      Math.floor(box.x / samples),
+      Math.floor(box.y / samples),
+      up(box.width),
+      up(box.height),
+    );
   }
 
   #drawSeen(model: GpuModel, pose: Pose): void {

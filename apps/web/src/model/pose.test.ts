@@ -46,10 +46,10 @@ describe("an extent", () => {
   it("has its middle in the middle of the box and reaches its corners", () => {
     expect(extent.centre).toEqual([0, 0, 0]);
     expect(extent.radius).toBeCloseTo(Math.hypot(30, 20, 10), 12);
-    expect(extent.depth).toBe(20);
+    expect(extent.half).toEqual([30, 20, 10]);
   });
 
   it("of nothing is nothing", () => {
-    expect(extentOf(new Float32Array())).toEqual({ centre: [0, 0, 0], radius: 0, depth: 0 });
+    expect(extentOf(new Float32Array())).toEqual({ centre: [0, 0, 0], radius: 0, half: [0, 0, 0] });
   });
 });

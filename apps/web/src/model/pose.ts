@@ -64,7 +64,7 @@ export function risingPose(
 ): Pose {
   const share = moveShare(riseTimeMs);
   const placement = blendPlacements(raised(way.onPaper), way.toView, extent.centre, share);
-  const gap = Math.max(GAP_SHARE * extent.depth, LEAST_GAP_PX);
+  const gap = Math.max(GAP_SHARE * 2 * extent.half[2], LEAST_GAP_PX);
   const ball = { centre: extent.centre, radius: 1.2 * extent.radius + gap * (partCount + 1) };
   return {
     ...poseOf(placement, ball, size),

@@ -123,13 +123,16 @@ function firstChoice(studio: Studio): ExportExtension {
 }
 
 /** Takes the drawing or its model away in another format. What it will be is made, and its size shown, before it is saved. */
-export function ExportPanel({ onClose }: { readonly onClose: () => void }) {
+export function ExportPanel() {
   const studio = useStudio();
   const chosen = useSignal<ExportExtension>(firstChoice(studio));
   const making = useExport(studio, chosen.value);
   const title = studio.label("export");
+  const close = () => {
+    studio.panel.value = null;
+  };
   return (
-    <Panel title={title} onClose={onClose} foot={<Buttons making={making} />}>
+    <Panel title={title} onClose={close} foot={<Buttons making={making} />}>
       <fieldset class="export-formats">
         <legend class="export-legend">{title}</legend>
         {exportFormats.map((format) => (

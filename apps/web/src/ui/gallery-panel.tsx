@@ -30,21 +30,24 @@ function Shelf({ title, hint, shown, isFirst = false, onOpen }: ShelfProps) {
 }
 
 /** Drawings of our own, to look into and to go on with. Opening one can be undone. */
-export function GalleryPanel({ onClose }: { readonly onClose: () => void }) {
+export function GalleryPanel() {
   const studio = useStudio();
+  const close = () => {
+    studio.panel.value = null;
+  };
   return (
-    <Panel title={studio.word("examples")} onClose={onClose} place="middle" isLarge>
+    <Panel title={studio.word("examples")} onClose={close} place="middle" isLarge>
       <Shelf
         title={studio.word("examples_rough")}
         hint={studio.word("examples_rough_hint")}
         shown={examples.filter(({ isRough }) => isRough)}
         isFirst
-        onOpen={onClose}
+        onOpen={close}
       />
       <Shelf
         title={studio.word("examples_finished")}
         shown={examples.filter(({ isRough }) => !isRough)}
-        onOpen={onClose}
+        onOpen={close}
       />
       <p class="gallery-licence">{studio.word("examples_licence")}</p>
     </Panel>

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 import { createLucideIcon } from "lucide-preact";
-import type { FunctionComponent } from "preact";
 
 /** All icons of the studio: one set, and in its style what the set lacks. */
 
-/** An icon of the set, or whatever else stands in its place. */
-export type Icon = FunctionComponent<{ "aria-hidden"?: "true" }>;
-
+export type { LucideIcon as Icon } from "lucide-preact";
 export {
   ArrowDown as TurnDownIcon,
   ArrowLeft as TurnLeftIcon,
   ArrowRight as TurnRightIcon,
   ArrowUp as TurnUpIcon,
-  Balloon as InflateIcon,
   Brush as BrushIcon,
   Check as CheckIcon,
-  ChevronDown as ChevronDownIcon,
   CircleQuestionMark as HelpIcon,
   Copy as DuplicateIcon,
   Eraser as EraserIcon,
@@ -25,7 +20,6 @@ export {
   History as SessionsIcon,
   ImageOff as RemovePictureIcon,
   ImagePlus as AddPictureIcon,
-  Languages as LanguageIcon,
   Layers as PartsIcon,
   LayersArrowDown as FartherIcon,
   LayersArrowUp as NearerIcon,
@@ -34,7 +28,6 @@ export {
   Menu as MenuIcon,
   Minus as MinusIcon,
   MousePointer2 as SelectIcon,
-  PencilLine as DrawIcon,
   Pipette as OtherColourIcon,
   Plus as PlusIcon,
   Redo2 as RedoIcon,

@@ -68,7 +68,7 @@ function PartsButton() {
     <div class="parts-button surface">
       <PanelButton panel="parts" icon={PartsIcon} label={studio.word("parts_count", count)} />
       {count > 0 && (
-        <span class="parts-count" aria-hidden="true">
+        <span class="parts-badge" aria-hidden="true">
           {count}
         </span>
       )}
