@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import "../styles/base.css";
 import "../styles/shell.css";
-import { useEffect } from "preact/hooks";
+import { useEffect, useLayoutEffect } from "preact/hooks";
 import { examples, openExample } from "../files/examples";
 import type { Studio } from "../studio/studio";
 import { CanvasHost, type MountCanvas } from "./canvas-host";
@@ -76,9 +76,7 @@ function Shell({ mount }: { readonly mount: MountCanvas }) {
         <StartPaper examples={startExamples(studio)} />
       </main>
       <div class="chrome">
-        <header class="top-bar">
-          <TopBar />
-        </header>
+        <TopBar />
         <nav class="tools" aria-label={studio.word("tools")}>
           <ToolBar />
         </nav>
@@ -112,7 +110,8 @@ interface AppProps {
 /** The whole page. */
 export function App({ studio, mount }: AppProps) {
   useEffect(() => listenToKeys(studio), [studio]);
-  useEffect(() => followPreferences(studio.preferences), [studio]);
+  // Before the first picture: no flash of the other theme.
+  useLayoutEffect(() => followPreferences(studio.preferences), [studio]);
   return (
     <StudioContext.Provider value={studio}>
       <Shell mount={mount} />
