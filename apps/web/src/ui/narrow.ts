@@ -12,3 +12,6 @@ function matching(query: string): ReadonlySignal<boolean> {
 
 /** Too little room for all there is: a phone, a small window, a page at 200 %. As in shell.css. */
 export const isNarrow = matching("(width < 900px), (height < 480px)");
+
+/** Fingers, and most likely no keyboard. */
+export const isCoarse = matching("(pointer: coarse)");
