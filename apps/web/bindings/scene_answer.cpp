@@ -11,15 +11,13 @@
 namespace inkflate::web {
 namespace {
 
-using nlohmann::json;
-
-json shadow_json(Rect const& box, ViewSize const& size) {
+Json shadow_json(Rect const& box, ViewSize const& size) {
   if (box.is_empty()) return {{"x", 0}, {"y", 0}, {"rx", 0}, {"ry", 0}};
   auto const [centre, half_axes_px] = shadow_ellipse(box, size.width_px, size.height_px);
   return {{"x", centre.x}, {"y", centre.y}, {"rx", half_axes_px.x}, {"ry", half_axes_px.y}};
 }
 
-json placed_model_json(ModelScene const& model, Scene const& scene) {
+Json placed_model_json(ModelScene const& model, Scene const& scene) {
   auto const [width_px, height_px] = scene.size;
   auto const placement = model_placement(*model.model, model.view, width_px, height_px);
   return {{"id", model.id},
@@ -35,9 +33,9 @@ json placed_model_json(ModelScene const& model, Scene const& scene) {
 Answer SceneSender::answer(Scene const& scene) {
   BlobWriter blobs;
   std::set<std::uint64_t> sent;
-  auto chunks = json::array();
+  auto chunks = Json::array();
   for (auto const& chunk : scene.chunks) {
-    auto row = json::array({chunk.id, chunk.space});
+    auto row = Json::array({chunk.id, chunk.space});
     if (chunks_.count(chunk.id) == 0) {
       auto const place =
           blobs.add_written([&](auto& bytes) { write_draw_list(*chunk.list, bytes); });
@@ -48,7 +46,7 @@ Answer SceneSender::answer(Scene const& scene) {
   }
   chunks_ = std::move(sent);
   auto const& [a, b, c, d, e, f] = scene.canvas_to_screen;
-  json head = {{"width", scene.size.width_px},         {"height", scene.size.height_px},
+  Json head = {{"width", scene.size.width_px},         {"height", scene.size.height_px},
                {"canvasToScreen", {a, b, c, d, e, f}}, {"paper", packed(scene.paper)},
                {"chunks", std::move(chunks)},          {"model", nullptr}};
   if (scene.model && scene.model->model) {

@@ -40,9 +40,6 @@ function keepFocus(event: MouseEvent): void {
 /** What lies over the canvas when it is asked for. Parts have a place of their own where the window is wide. */
 function OpenPanel() {
   const { panel } = useStudio();
-  const close = () => {
-    panel.value = null;
-  };
   switch (panel.value) {
     case "menu":
       return <Menu />;
@@ -53,9 +50,9 @@ function OpenPanel() {
     case "settings":
       return <SettingsPanel />;
     case "export":
-      return <ExportPanel onClose={close} />;
+      return <ExportPanel />;
     case "gallery":
-      return <GalleryPanel onClose={close} />;
+      return <GalleryPanel />;
     case "sessions":
       return <SessionsPanel />;
     case "parts":
