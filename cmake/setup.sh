@@ -70,7 +70,8 @@ need_node_modules() {
 
 # Prints a hash of all that the studio's build reads.
 studio_inputs() {
-  (cd "$top" && find apps/web apps/words.json examples/sketches examples/characters build/studio_core build/release/inkflate \
+  (cd "$top" && find apps/web apps/words.json examples/sketches examples/characters \
+    build/wasm/apps/web/core.js build/wasm/apps/web/core.wasm build/release/inkflate \
     \( -name node_modules -o -path apps/web/e2e \) -prune -o -type f -print0 | LC_ALL=C sort -z |
     xargs -0 sha256sum) | sha256sum
 }

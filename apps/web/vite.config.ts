@@ -36,5 +36,8 @@ export default defineConfig({
     },
   },
   server: { fs: { allow: ["../.."] } },
-  test: { include: ["src/**/*.test.{ts,tsx}", "tools/**/*.test.mjs"] },
+  test: {
+    include: ["src/**/*.test.{ts,tsx}", "tools/**/*.test.mjs"],
+    setupFiles: "tools/old-node.mjs",
+  },
 });

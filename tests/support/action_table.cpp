@@ -72,4 +72,18 @@ std::string action_table() {
   return text;
 }
 
+std::string action_names() {
+  std::string text =
+      "// SPDX-License-Identifier: Apache-2.0\n"
+      "// Printed by the tool action_names from src/editor/actions.cpp; a test compares them.\n"
+      "\n"
+      "export const actionNames = [\n";
+  for (auto const& action : actions()) text += "  \"" + std::string(action.name) + "\",\n";
+  text +=
+      "] as const;\n"
+      "\n"
+      "export type ActionName = (typeof actionNames)[number];\n";
+  return text;
+}
+
 }  // namespace inkflate::support

@@ -8,4 +8,7 @@ namespace inkflate::support {
 /// docs/ACTIONS.md, as the table of actions makes it.
 std::string action_table();
 
+/// apps/web/src/protocol/actions.generated.ts.
+std::string action_names();
+
 }  // namespace inkflate::support

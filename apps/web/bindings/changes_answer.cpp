@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "web/bindings/changes_answer.h"
 
-#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -26,12 +25,6 @@ json place_json(std::optional<Rect> const& place) {
           {"height", place->height()}};
 }
 
-bool is_whole(Changes const& changes) {
-  return std::none_of(changes.messages.begin(), changes.messages.end(), [](Message const& message) {
-    return message.word == Word::RecoveredInPart || message.word == Word::CannotRead;
-  });
-}
-
 }  // namespace
 
 void gather(Changes& changes, Changes next) {
@@ -48,7 +41,12 @@ void gather(Changes& changes, Changes next) {
   changes.journal += next.journal;
 }
 
-Answer changes_answer(Changes const& changes, Language language) {
+Recovery recovery_of(Changes const& recovered, std::size_t journal_bytes) {
+  bool const is_whole = recovered.is_journal_new && recovered.journal.size() == journal_bytes;
+  return is_whole ? Recovery::Whole : Recovery::InPart;
+}
+
+Answer changes_answer(Changes const& changes, Recovery recovery, Language language) {
   BlobWriter blobs;
   auto messages = json::array();
   for (auto const& message : changes.messages) {
@@ -69,7 +67,7 @@ Answer changes_answer(Changes const& changes, Language language) {
                        {"requests", changes.studio_actions},
                        {"journal", journal},
                        {"isJournalNew", changes.is_journal_new},
-                       {"isRecoveredWhole", is_whole(changes)}});
+                       {"isRecoveredWhole", recovery == Recovery::Whole}});
 }
 
 }  // namespace inkflate::web

@@ -63,11 +63,15 @@ class Core {
     share_.start();
     gather(changes_, engine_.work());
   }
-  void recover(std::span<std::byte const> journal) { gather(changes_, engine_.recover(journal)); }
+  void recover(std::span<std::byte const> journal) {
+    auto recovered = engine_.recover(journal);
+    recovery_ = recovery_of(recovered, journal.size());
+    gather(changes_, std::move(recovered));
+  }
 
   AnswerPlace const* take_changes() {
     auto const language = engine_.state().language;
-    return out(changes_answer(std::exchange(changes_, {}), language));
+    return out(changes_answer(std::exchange(changes_, {}), recovery_, language));
   }
   AnswerPlace const* scene() { return out(scenes_.answer(engine_.scene())); }
   AnswerPlace const* state() { return out(state_answer(engine_.state(), engine_.document())); }
@@ -106,6 +110,7 @@ class Core {
   Engine engine_;
   SceneSender scenes_;
   Changes changes_;
+  Recovery recovery_ = Recovery::Whole;
   Answer answer_;
   AnswerPlace place_;
 };

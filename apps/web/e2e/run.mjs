@@ -6,7 +6,7 @@
 // The last line counts what passed and failed. Leaves a picture of each test in build/e2e/pictures.
 import { existsSync } from "node:fs";
 import { mkdir, readdir, rm, writeFile } from "node:fs/promises";
-import { join, relative } from "node:path";
+import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launch } from "./harness/browser.mjs";
 import { failureFolder, pictureFolder, studioFolder, testFolder } from "./harness/folders.mjs";
@@ -14,7 +14,7 @@ import { serve } from "./harness/static-server.mjs";
 import { takeTests } from "./harness/tests.mjs";
 import { fileNameOf, visit } from "./harness/visit.mjs";
 
-const usualTimeoutS = 60;
+const usualTimeoutS = 120;
 
 const words = process.argv.slice(2);
 const isLong = words.includes("--long");
@@ -49,26 +49,36 @@ async function why(test, world) {
   return world.watch.faults.map(({ kind, text }) => `${kind}: ${text}`).join("\n");
 }
 
+async function tell(title, failure) {
+  console.log(`${title}: ${failure === "" ? "passed" : "failed"}`);
+  if (failure === "") return;
+  console.log(failure.split("\n").slice(0, 12).join("\n"));
+  await writeFile(join(failureFolder, `${fileNameOf(title)}.txt`), failure);
+}
+
 async function run(test, browser, origin) {
   const world = await visit(browser, origin, test.title, test.options);
   const failure = await why(test, world);
   await world.end(failure !== "");
-  console.log(`${test.title}: ${failure === "" ? "passed" : "failed"}`);
-  if (failure !== "") {
-    console.log(failure.split("\n").slice(0, 12).join("\n"));
-    await writeFile(join(failureFolder, `${fileNameOf(test.title)}.txt`), failure);
-  }
-  return { isPassed: failure === "", faults: world.watch.faults };
+  return { failure, faults: world.watch.faults };
 }
 
+/** A browser that has gone down takes one test along, not those after it. */
 async function runFile(file, origin) {
   const tests = await testsOf(file);
-  if (tests.length === 0) return [];
-  console.log(`\n${relative(".", file)}`);
-  const browser = await launch();
+  if (tests.length > 0) console.log(`\n${file}`);
   const results = [];
-  for (const test of tests) results.push(await run(test, browser, origin));
-  await browser.close();
+  let browser = null;
+  for (const test of tests) {
+    if (!browser?.isConnected()) browser = await launch();
+    const result = await run(test, browser, origin).catch((error) => ({
+      failure: String(error.stack),
+      faults: [],
+    }));
+    await tell(test.title, result.failure);
+    results.push({ isPassed: result.failure === "", faults: result.faults });
+  }
+  await browser?.close();
   return results;
 }
 

@@ -32,14 +32,16 @@ function integrityOf(bytes: Uint8Array | string): string {
   return `sha256-${createHash("sha256").update(bytes).digest("base64")}`;
 }
 
+/** Paths of all files below a folder, from there on. */
+function filesBelow(folder: string, start = ""): string[] {
+  return readdirSync(join(folder, start), { withFileTypes: true }).flatMap((entry) => {
+    const path = `${start}${entry.name}`;
+    return entry.isDirectory() ? filesBelow(folder, `${path}/`) : [path];
+  });
+}
+
 function publicFiles(folder: string): [string, string][] {
-  return readdirSync(folder, { recursive: true, withFileTypes: true })
-    .filter((entry) => entry.isFile())
-    .map((entry) => join(entry.path, entry.name))
-    .map((path) => [
-      path.slice(folder.length + 1).replaceAll("\\", "/"),
-      integrityOf(readFileSync(path)),
-    ]);
+  return filesBelow(folder).map((path) => [path, integrityOf(readFileSync(join(folder, path)))]);
 }
 
 function bundledFiles(bundle: Rollup.OutputBundle, workerName: string): [string, string][] {

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 
 /** How long a person would wait before giving up; machines that build beside the tests are slow. */
-const patienceMs = 15000;
+const patienceMs = 30000;
 
 /** Runs in the page: what tests need to know of the studio, as plain values. */
 function readStudio() {

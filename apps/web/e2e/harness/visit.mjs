@@ -13,6 +13,12 @@ export const fileNameOf = (title) =>
     .replace(/[^a-z0-9]+/g, "_")
     .replace(/^_|_$/g, "");
 
+/** Runs in each page: without a window there is no dialog to choose a file in, so files come and go as in browsers that have none. */
+function withoutFileDialogs() {
+  delete globalThis.showSaveFilePicker;
+  delete globalThis.showOpenFilePicker;
+}
+
 /**
  * @param {object} options device; expects: faults that the test provokes; context: more for the browser's context
  */
@@ -26,6 +32,7 @@ export async function visit(
   await context.tracing.start({ snapshots: true, screenshots: false });
   const watch = new Watch(origin, expects);
   await watch.attach(context);
+  await context.addInitScript(withoutFileDialogs);
   const page = await context.newPage();
   const name = fileNameOf(title);
   return {

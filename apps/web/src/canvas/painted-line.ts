@@ -22,11 +22,7 @@ interface LinePath {
 
 function centreLine(points: Float32Array): Path2D {
   const path = new Path2D();
-  if (points.length < 2) return path;
-  path.moveTo(points[0] ?? 0, points[1] ?? 0);
-  // A line of one point is a dot: its caps are drawn where it goes nowhere.
-  if (points.length === 2) path.lineTo(points[0] ?? 0, points[1] ?? 0);
-  for (let i = 2; i + 1 < points.length; i += 2) path.lineTo(points[i] ?? 0, points[i + 1] ?? 0);
+  for (let i = 0; i + 1 < points.length; i += 2) path.lineTo(points[i] ?? 0, points[i + 1] ?? 0);
   return path;
 }
 
@@ -87,7 +83,10 @@ export class PaintedLine implements PaintedItem {
   private make(scale: number, isUnlimited: boolean): LinePath {
     const at = widthsAt(this.line, scale);
     const { points } = this.line;
-    if (at.widths.length > 1) {
+    // A canvas leaves out what goes nowhere, caps and all.
+    const { left, top, right, bottom } = this.centres;
+    const isDot = left === right && top === bottom;
+    if (at.widths.length > 1 || isDot) {
       return { scale, isUnlimited, path: outline(points, at), stroke: null };
     }
     const stroke = { width: at.widths[0] ?? 0, dashes: [...at.dashes] };

@@ -110,15 +110,32 @@ export function hasSameForm(one: AffineNumbers, other: AffineNumbers): boolean {
   return [0, 1, 2, 3].every((i) => one[i] === other[i]);
 }
 
-/** The box around what a map takes into a box; of a map that leaves nothing of the plane: nothing. */
-export function unmapped(box: Box, [a, b, c, d, e, f]: AffineNumbers): Box {
+/** null: the map leaves nothing of the plane. */
+export function inverse([a, b, c, d, e, f]: AffineNumbers): AffineNumbers | null {
   const determinant = a * d - b * c;
-  if (determinant === 0) return nowhere;
-  const [ia, ib, ic, id] = [d, -b, -c, a].map((each) => each / determinant) as [
-    number,
-    number,
-    number,
-    number,
+  if (determinant === 0) return null;
+  const ia = d / determinant;
+  const ib = -b / determinant;
+  const ic = -c / determinant;
+  const id = a / determinant;
+  return [ia, ib, ic, id, -(ia * e + ic * f), -(ib * e + id * f)];
+}
+
+/** First inner, then outer. */
+export function composed(outer: AffineNumbers, inner: AffineNumbers): AffineNumbers {
+  const [a, b, c, d, e, f] = outer;
+  return [
+    a * inner[0] + c * inner[1],
+    b * inner[0] + d * inner[1],
+    a * inner[2] + c * inner[3],
+    b * inner[2] + d * inner[3],
+    a * inner[4] + c * inner[5] + e,
+    b * inner[4] + d * inner[5] + f,
   ];
-  return mapped(box, [ia, ib, ic, id, -(ia * e + ic * f), -(ib * e + id * f)]);
+}
+
+/** The box around what a map takes into a box. */
+export function unmapped(box: Box, map: AffineNumbers): Box {
+  const back = inverse(map);
+  return back === null ? nowhere : mapped(box, back);
 }

@@ -5,9 +5,11 @@ import type { PaintedChunk } from "./painted-chunk";
 import {
   area,
   common,
+  composed,
   enlarged,
   grown,
   hasSameForm,
+  inverse,
   isEmpty,
   joined,
   mapped,
@@ -23,6 +25,8 @@ import { sheetChanges } from "./sheet-changes";
 
 /** From here on all is painted anew: it costs no more than the rest would. */
 const mostDirtyShare = 0.7;
+/** So many points are painted in one frame while the paper is zoomed; more of them are stretched for so many frames more. */
+const mostPerFrame = 8000;
 /** What anti-aliasing may touch beyond a box, device px. */
 const softEdgePx = 2;
 
@@ -43,6 +47,8 @@ export class Sheet {
   private chunks: readonly PaintedChunk[] = [];
   private placing: Placing = { map: unmoved, pixelRatio: 1 };
   private isBlank = true;
+  /** For how many frames it has been stretched instead of being painted. */
+  private stretchedFrames = 0;
 
   constructor() {
     const context = this.canvas.getContext("2d");
@@ -63,8 +69,8 @@ export class Sheet {
   }
 
   /**
-   * Shows chunks, back to front. In motion they may lie up to half a device px beside their place; isAtRest: exactly there.
-   * Returns whether they do.
+   * Shows chunks, back to front. In motion they may lie up to half a device px beside their place, or be stretched from another
+   * scale; isAtRest: exactly there. Returns whether they are.
    */
   show(
     chunks: readonly PaintedChunk[],
@@ -73,6 +79,9 @@ export class Sheet {
     isAtRest: boolean,
   ): boolean {
     const wanted = { map: enlarged(toScreen, pixelRatio), pixelRatio };
+    if (!isAtRest && this.stretch(chunks, wanted)) return false;
+    if (this.stretchedFrames > 0) this.canvas.style.transform = "none";
+    this.stretchedFrames = 0;
     if (!this.adapt(chunks, wanted, isAtRest)) this.paintAll(chunks, wanted);
     this.chunks = chunks;
     this.isBlank = false;
@@ -81,6 +90,25 @@ export class Sheet {
 
   private get whole(): Box {
     return { left: 0, top: 0, right: this.canvas.width, bottom: this.canvas.height };
+  }
+
+  /** Where all would have to be painted at another scale: shows what was painted at the last one. false: it is to be painted. */
+  private stretch(chunks: readonly PaintedChunk[], wanted: Placing): boolean {
+    const { map, pixelRatio } = this.placing;
+    const isOther =
+      this.isBlank ||
+      pixelRatio !== wanted.pixelRatio ||
+      chunks.length !== this.chunks.length ||
+      chunks.some((chunk, i) => chunk !== this.chunks[i]);
+    const back = inverse(map);
+    if (isOther || back === null || hasSameForm(map, wanted.map)) return false;
+    const cost = chunks.reduce((sum, chunk) => sum + chunk.cost, 0);
+    if (this.stretchedFrames >= Math.floor(cost / mostPerFrame)) return false;
+    ++this.stretchedFrames;
+    const [a, b, c, d, e, f] = composed(wanted.map, back);
+    const css = [a, b, c, d, e / pixelRatio, f / pixelRatio];
+    this.canvas.style.transform = `matrix(${css.join(", ")})`;
+    return true;
   }
 
   /** false: it is better to paint all anew. */

@@ -26,10 +26,10 @@ export function splitChunks(chunks: readonly SplitChunk[]): readonly [number, nu
     ++from;
   }
   let to = chunks.length;
-  cost = 0;
+  const costs = { old: 0, changing: 0 };
   for (const chunk of chunks.slice(from).reverse()) {
-    cost += chunk.cost;
-    if (chunk.isInMiddle || cost > (chunk.isOld ? mostTop : mostChanging)) break;
+    costs[chunk.isOld ? "old" : "changing"] += chunk.cost;
+    if (chunk.isInMiddle || costs.old > mostTop || costs.changing > mostChanging) break;
     --to;
   }
   return [from, to];

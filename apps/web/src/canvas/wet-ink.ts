@@ -7,7 +7,10 @@ import type { WetTail } from "./wet-lines";
 /** As src/render/line_pattern.h, dashed(). */
 const dashShare = 3;
 
-/** The small canvas over the scene where lines are drawn before the core has them. */
+/**
+ * The canvas over the scene where lines are drawn before the core has them. It is shown in step with the scene: a desynchronized one
+ * could be a frame ahead, so that a place is inked twice or not at all, and is not shown where canvases are not accelerated.
+ */
 export class WetInk {
   readonly canvas = document.createElement("canvas");
   private readonly context: CanvasRenderingContext2D;
@@ -16,7 +19,7 @@ export class WetInk {
   private inked: Box = nowhere;
 
   constructor() {
-    const context = this.canvas.getContext("2d", { desynchronized: true });
+    const context = this.canvas.getContext("2d");
     if (context === null) throw new Error("this browser has no canvas to draw on");
     this.context = context;
   }
@@ -51,7 +54,7 @@ export class WetInk {
       this.inked = joined(this.inked, grown(at, widest / 2 + 2));
     }
     const path = new Path2D();
-    if (look.isDashed) {
+    if (look.isDashed && points.length > 1) {
       for (const { place } of points) path.lineTo(place[0], place[1]);
       const dash = dashShare * look.widthPx;
       context.strokeStyle = colourText(look.colour);

@@ -10,6 +10,8 @@ import normalsFragment from "./shaders/normals.frag.glsl?raw";
 import screenVertex from "./shaders/screen.vert.glsl?raw";
 import spansFragment from "./shaders/spans.frag.glsl?raw";
 import surfaceNormal from "./shaders/surface-normal.glsl?raw";
+import { screenBox } from "./screen-box";
+import type { ScreenBox } from "./screen-box";
 import { Target } from "./target";
 
 /** src/render/rasterise_model.cpp: half the width of an inked edge and the least step in depth, as shares of the longer side. */
@@ -31,7 +33,7 @@ export class InkPass {
   readonly #ink: Program;
   readonly #seen: Target;
   readonly #inked: Target;
-  readonly #across: Target;
+  readonly #nearness: Target;
   readonly #nothing: WebGLVertexArrayObject;
 
   constructor(gl: WebGL2RenderingContext) {
@@ -42,7 +44,7 @@ export class InkPass {
     this.#ink = new Program(gl, [screenVertex], [inkFragment]);
     this.#seen = new Target(gl, "colour and depth");
     this.#inked = new Target(gl, "share");
-    this.#across = new Target(gl, "share");
+    this.#nearness = new Target(gl, "share");
     this.#nothing = gl.createVertexArray();
   }
 
@@ -54,31 +56,50 @@ export class InkPass {
     const longer = Math.max(pose.size.width, pose.size.height);
     const radius = Math.max(THINNEST_EDGE_PX, EDGE_SHARE * longer * ratio) * samples;
     const reach = Math.ceil(radius + 0.5);
-    for (const target of [this.#seen, this.#inked, this.#across]) {
+    for (const target of [this.#seen, this.#inked, this.#nearness]) {
       target.resize(samples * width, samples * height);
+      target.clear();
     }
+    const picture = { width: samples * width, height: samples * height };
+    const box = screenBox(pose.toClip, model.extent, picture, reach + 2);
     gl.disable(gl.BLEND);
+    this.#limitTo(box, 1);
     this.#drawSeen(model, pose);
     this.#findEdges(pose.depthPx, JUMP_SHARE * longer);
     this.#measure(reach);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, width, height);
+    this.#limitTo(box, samples);
     gl.enable(gl.BLEND);
     const ink = [...INK.map((channel) => channel * strength), strength];
     this.#ink.use({
-      u_across: 0,
+      u_nearness: 0,
       u_reach: reach,
       u_radius: radius,
       u_samples: samples,
       u_ink: ink,
     });
-    this.#cover(this.#across.colour);
+    this.#cover(this.#nearness.colour);
+    gl.disable(gl.SCISSOR_TEST);
   }
 
   dispose(): void {
     for (const program of [this.#normals, this.#edges, this.#spans, this.#ink]) program.dispose();
-    for (const target of [this.#seen, this.#inked, this.#across]) target.dispose();
+    for (const target of [this.#seen, this.#inked, this.#nearness]) target.dispose();
     this.#gl.deleteVertexArray(this.#nothing);
+  }
+
+  /** Where nothing of the model is, there is nothing to do. */
+  #limitTo(box: ScreenBox, samples: number): void {
+    const gl = this.#gl;
+    const up = (px: number): number => Math.ceil(px / samples);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(
+      Math.floor(box.x / samples),
+      Math.floor(box.y / samples),
+      up(box.width),
+      up(box.height),
+    );
   }
 
   #drawSeen(model: GpuModel, pose: Pose): void {
@@ -100,7 +121,7 @@ export class InkPass {
   }
 
   #measure(reach: number): void {
-    this.#across.begin();
+    this.#nearness.begin();
     this.#spans.use({ u_inked: 0, u_reach: reach });
     this.#cover(this.#inked.colour);
   }

@@ -40,6 +40,13 @@ export function handedness(placement: Placement): number {
   return -determinant;
 }
 
+/** A flat placement with heights to the same scale as the rest: ModelUpdate.onPaper presses them down, here each part does. */
+export function raised(onPaper: Placement): Placement {
+  const m = (row: number, column: number): number => entry(onPaper, row, column);
+  const scale = Math.sqrt(Math.abs(m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0)));
+  return [m(0, 0), m(0, 1), 0, m(0, 3), m(1, 0), m(1, 1), 0, m(1, 3), 0, 0, scale, 0];
+}
+
 /** How many px of the view one of the model is. */
 export function scaleOf(placement: Placement): number {
   return Math.cbrt(Math.abs(handedness(placement)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Extent } from "./extent";
 import { blendPlacements } from "./blend-placements";
-import { clipMatrix, depthReach, handedness, normalMatrix } from "./placement";
+import { clipMatrix, depthReach, handedness, normalMatrix, raised } from "./placement";
 import type { Ball, Placement, ViewSize } from "./placement";
 import { inflation, moveShare } from "./rise";
 
@@ -63,8 +63,8 @@ export function risingPose(
   riseTimeMs: number,
 ): Pose {
   const share = moveShare(riseTimeMs);
-  const placement = blendPlacements(way.onPaper, way.toView, extent.centre, share);
-  const gap = Math.max(GAP_SHARE * extent.depth, LEAST_GAP_PX);
+  const placement = blendPlacements(raised(way.onPaper), way.toView, extent.centre, share);
+  const gap = Math.max(GAP_SHARE * 2 * extent.half[2], LEAST_GAP_PX);
   const ball = { centre: extent.centre, radius: 1.2 * extent.radius + gap * (partCount + 1) };
   return {
     ...poseOf(placement, ball, size),

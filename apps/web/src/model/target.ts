@@ -48,12 +48,16 @@ export class Target {
     );
   }
 
-  /** What is drawn from now on goes here, onto nothing. */
+  /** What is drawn from now on goes here. */
   begin(): void {
     const gl = this.#gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.#frame);
     gl.viewport(0, 0, this.#width, this.#height);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  }
+
+  clear(): void {
+    this.begin();
+    this.#gl.clear(this.#gl.COLOR_BUFFER_BIT | this.#gl.DEPTH_BUFFER_BIT);
   }
 
   dispose(): void {

@@ -137,6 +137,6 @@ export function assembleGenerations(
 
 /** Everything of a session, damaged or not, newest generation first, so that a reader of journals begins with it. */
 export function rawBytes(lines: readonly FoundLine[]): Uint8Array<ArrayBuffer> {
-  const inOrder = lines.toSorted((a, b) => b.key[1] - a.key[1] || a.key[2] - b.key[2]);
+  const inOrder = [...lines].sort((a, b) => b.key[1] - a.key[1] || a.key[2] - b.key[2]);
   return joinBytes(inOrder.map((line) => line.bytes ?? new Uint8Array(0)));
 }

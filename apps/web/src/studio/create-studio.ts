@@ -73,7 +73,11 @@ export function createStudio(options: StudioOptions): Studio {
     if (frame.state !== null) state.value = frame.state;
     const isExport = exports.resolve(frame.sequence, frame.files);
     if (!isExport && frame.files.length > 0) studio.onFiles(frame.files);
-    for (const message of frame.messages) board.add({ ...message, remedy: null });
+    for (const message of frame.messages) {
+      // The core has only made the files: files/ tells once they are where the person wants them.
+      const isTold = frame.files.length === 0 || message.severity !== "status";
+      if (isTold) board.add({ ...message, remedy: null });
+    }
     for (const request of frame.requests) takeRequest(studio, request);
   }
 

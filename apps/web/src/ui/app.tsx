@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+import "../styles/base.css";
+import "../styles/shell.css";
 import { useEffect } from "preact/hooks";
 import { examples, openExample } from "../files/examples";
 import type { Studio } from "../studio/studio";
 import { CanvasHost, type MountCanvas } from "./canvas-host";
 import { ContextBar } from "./context-bar";
+import { ExportPanel } from "./export-panel";
+import { GalleryPanel } from "./gallery-panel";
 import { HelpPanel } from "./help-panel";
 import { Hints } from "./hints";
 import { listenToKeys } from "./keys";
@@ -13,14 +17,13 @@ import { Notices, StatusLine } from "./notices";
 import { followPreferences } from "./page-look";
 import { PalettePanel } from "./palette-panel";
 import { PartsPanel } from "./parts-panel";
+import { SessionsPanel } from "./sessions-panel";
 import { SettingsPanel } from "./settings-panel";
 import { StartPaper, type StartExample } from "./start-paper";
 import { StudioContext, useStudio } from "./studio-context";
 import { ToolBar } from "./tool-bar";
 import { Tooltip } from "./tooltip";
 import { TopBar } from "./top-bar";
-import "../styles/base.css";
-import "../styles/shell.css";
 
 /**
  * A press on a button leaves the focus where it is: Enter goes on meaning Simplify after a tool has been picked with the mouse. Keys
@@ -37,6 +40,9 @@ function keepFocus(event: MouseEvent): void {
 /** What lies over the canvas when it is asked for. Parts have a place of their own where the window is wide. */
 function OpenPanel() {
   const { panel } = useStudio();
+  const close = () => {
+    panel.value = null;
+  };
   switch (panel.value) {
     case "menu":
       return <Menu />;
@@ -46,7 +52,14 @@ function OpenPanel() {
       return <PalettePanel />;
     case "settings":
       return <SettingsPanel />;
-    default:
+    case "export":
+      return <ExportPanel onClose={close} />;
+    case "gallery":
+      return <GalleryPanel onClose={close} />;
+    case "sessions":
+      return <SessionsPanel />;
+    case "parts":
+    case null:
       return null;
   }
 }
@@ -69,12 +82,12 @@ function Shell({ mount }: { readonly mount: MountCanvas }) {
         <nav class="tools" aria-label={studio.word("tools")}>
           <ToolBar />
         </nav>
+        <PartsPanel />
         <ContextBar />
       </div>
-      <PartsPanel />
-      <OpenPanel />
       <Hints />
       <LongWorkBar />
+      <OpenPanel />
       <Notices />
       <StatusLine />
       <Tooltip />

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 import { AdjustIcon } from "./icons";
-import { isNarrow } from "./narrow";
 import { Popover } from "./popover";
 import { evenScale, ratioScale } from "./scales";
 import { Slider } from "./slider";
 import { useStudio } from "./studio-context";
-import { Swatches, type Swatch } from "./swatches";
-
-/** What a drawing needs: a black, and five that stay apart from each other when the model turns. */
-const inks: readonly Swatch[] = [
-  { colour: "#22242b", name: "ink_black" },
-  { colour: "#7b4a2e", name: "ink_brown" },
-  { colour: "#c8372d", name: "ink_red" },
-  { colour: "#e0a12b", name: "ink_yellow" },
-  { colour: "#4b8b43", name: "ink_green" },
-  { colour: "#2f5fb3", name: "ink_blue" },
-];
+import { narrowWindow, useMedia } from "./use-media";
+import { Inks } from "./inks";
 
 /** Of the core: ToolSettings. */
 const brushScale = ratioScale(0.5, 100);
@@ -67,36 +57,26 @@ function Smoothing() {
   );
 }
 
-function Inks() {
+/** The ink that the brush has. */
+function InkDot() {
   const studio = useStudio();
-  return (
-    <Swatches
-      label={studio.label("ink_colour")}
-      swatches={inks}
-      chosen={studio.state.value.ink}
-      onChoose={(colour) => {
-        studio.act("ink_colour", colour);
-      }}
-    />
-  );
+  return <span class="ink-dot" style={{ "--swatch": studio.state.value.ink }} aria-hidden="true" />;
 }
 
 export function BrushSettings() {
   const studio = useStudio();
-  if (!isNarrow.value) {
-    return (
-      <>
-        <BrushSize />
-        <Inks />
-        <Smoothing />
-      </>
-    );
-  }
+  const isNarrow = useMedia(narrowWindow);
   return (
     <>
       <BrushSize />
-      <Popover icon={AdjustIcon} label={studio.word("ink_and_smoothing")}>
+      {isNarrow ? (
+        <Popover icon={InkDot} label={studio.label("ink_colour")}>
+          <Inks />
+        </Popover>
+      ) : (
         <Inks />
+      )}
+      <Popover icon={AdjustIcon} label={studio.label("smoothing")}>
         <Smoothing />
       </Popover>
     </>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { RefObject } from "preact";
+import { useEffect, useRef } from "preact/hooks";
 import type { EngineState } from "../protocol/state";
 import { BrushSettings, BrushSize, EraserSize } from "./brush-settings";
 import { GapSlider } from "./gap-slider";
@@ -50,10 +52,31 @@ function NextStep({ state }: { readonly state: EngineState }) {
   }
   if (state.layers.length === 0) return null;
   return (
-    <div class="context-next surface">
+    <div class="context-next">
       <PrimaryButton action="mode_inflate" />
     </div>
   );
+}
+
+/** Tells what floats above the bar how high that is: it takes one row or two. */
+function useFootHeight(): RefObject<HTMLElement> {
+  const bar = useRef<HTMLElement>(null);
+  useEffect(() => {
+    const element = bar.current;
+    if (element === null) return undefined;
+    const tell = () => {
+      const height = window.innerHeight - element.getBoundingClientRect().top;
+      document.documentElement.style.setProperty("--foot", `${height}px`);
+    };
+    const observer = new ResizeObserver(tell);
+    observer.observe(element);
+    window.addEventListener("resize", tell);
+    return () => {
+      observer.disconnect();
+      window.removeEventListener("resize", tell);
+    };
+  }, []);
+  return bar;
 }
 
 /** Only what belongs to the tool, the selection and the moment. */
@@ -61,7 +84,12 @@ export function ContextBar() {
   const studio = useStudio();
   const state = studio.state.value;
   return (
-    <section class="context-bar" aria-label={studio.word("tool_settings")} data-tip-side="top">
+    <section
+      ref={useFootHeight()}
+      class="context-bar"
+      aria-label={studio.word("tool_settings")}
+      data-tip-side="top"
+    >
       <div class="context-settings surface" key={state.mode === "draw" ? state.tool : state.mode}>
         <ToolSettings state={state} />
       </div>

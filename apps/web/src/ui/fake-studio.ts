@@ -67,31 +67,22 @@ export function fakePreferences(): Preferences {
   };
 }
 
-/** What a tool, mode or value becomes when it is asked for, as far as components show it. */
-function after(state: EngineState, name: ActionName, argument: string): EngineState {
-  switch (name) {
-    case "brush":
-    case "help_line":
-    case "eraser":
-    case "mark":
-    case "hand":
-      return { ...state, tool: name };
-    case "select_tool":
-      return { ...state, tool: "select" };
-    case "mode_draw":
-      return { ...state, mode: "draw" };
-    case "mode_inflate":
-      return { ...state, mode: "inflate" };
-    case "brush_size":
-      return { ...state, brushPx: Number(argument) };
-    case "ink_colour":
-      return { ...state, ink: argument };
-    case "gap":
-      return { ...state, gapPx: argument === "auto" ? null : Number(argument) };
-    default:
-      return state;
-  }
-}
+type Change = (argument: string) => Partial<EngineState>;
+
+/** What becomes of the state, as far as components show it. */
+const changes: Partial<Record<ActionName, Change>> = {
+  brush: () => ({ tool: "brush" }),
+  help_line: () => ({ tool: "help_line" }),
+  eraser: () => ({ tool: "eraser" }),
+  mark: () => ({ tool: "mark" }),
+  select_tool: () => ({ tool: "select" }),
+  hand: () => ({ tool: "hand" }),
+  mode_draw: () => ({ mode: "draw" }),
+  mode_inflate: () => ({ mode: "inflate" }),
+  brush_size: (px) => ({ brushPx: Number(px) }),
+  ink_colour: (ink) => ({ ink }),
+  gap: (px) => ({ gapPx: px === "auto" ? null : Number(px) }),
+};
 
 /** Everything can be done in it but what `change` leaves out of `enabled`. */
 export function fakeStudio(change: Partial<EngineState> = {}): FakeStudio {
@@ -120,7 +111,7 @@ export function fakeStudio(change: Partial<EngineState> = {}): FakeStudio {
     isEnabled: (name) => state.value.enabled.includes(name),
     act(name, argument = "") {
       acts.push([name, argument]);
-      state.value = after(state.value, name, argument);
+      state.value = { ...state.value, ...changes[name]?.(argument) };
     },
     send: (event) => sent.push(event),
     open: () => undefined,

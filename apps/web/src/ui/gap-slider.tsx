@@ -20,9 +20,7 @@ export function GapSlider() {
         label={studio.word("gap")}
         value={gapPx ?? restPx}
         scale={scale}
-        text={(value) =>
-          isAuto && value === restPx ? studio.word("auto") : studio.word("px", value)
-        }
+        text={(value) => studio.word("px", value)}
         onInput={(value) => {
           studio.act("gap", String(value));
         }}

@@ -95,7 +95,7 @@ export function HelpPanel() {
   };
   const field = <SearchField label={studio.word("find_key")} value={query} onValue={setQuery} />;
   return (
-    <Panel title={studio.label("help")} onClose={close} head={field}>
+    <Panel title={studio.label("help")} onClose={close} head={field} isReading>
       {query === "" && <Tips />}
       <Keys query={query} />
       {query === "" && <About />}

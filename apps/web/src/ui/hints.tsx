@@ -10,8 +10,8 @@ import {
   type HintProgress,
   type HintStep,
 } from "./hint-steps";
+import { isCoarse } from "./narrow";
 import { useStudio } from "./studio-context";
-import { coarsePointer, useMedia } from "./use-media";
 import { useModelTurned } from "./use-model-turned";
 import { useCanvasPress } from "./use-canvas-press";
 
@@ -31,10 +31,9 @@ const stepWords: Readonly<Record<HintStep, StepWords>> = {
 
 function HintText({ step }: { readonly step: HintStep }) {
   const studio = useStudio();
-  const hasNoKeys = useMedia(coarsePointer);
   const { action, withKey, withoutKey } = stepWords[step];
   const areKeysOn = studio.preferences.singleKeys.value === "on";
-  const chord = action === null || hasNoKeys || !areKeysOn ? "" : studio.chord(action);
+  const chord = action === null || isCoarse.value || !areKeysOn ? "" : studio.chord(action);
   return <>{chord === "" ? studio.word(withoutKey) : studio.word(withKey, chord)}</>;
 }
 

@@ -9,10 +9,8 @@ export {
   ArrowLeft as TurnLeftIcon,
   ArrowRight as TurnRightIcon,
   ArrowUp as TurnUpIcon,
-  Balloon as InflateIcon,
   Brush as BrushIcon,
   Check as CheckIcon,
-  ChevronDown as ChevronDownIcon,
   CircleQuestionMark as HelpIcon,
   Copy as DuplicateIcon,
   Eraser as EraserIcon,
@@ -22,14 +20,14 @@ export {
   History as SessionsIcon,
   ImageOff as RemovePictureIcon,
   ImagePlus as AddPictureIcon,
-  Languages as LanguageIcon,
   Layers as PartsIcon,
+  LayersArrowDown as FartherIcon,
+  LayersArrowUp as NearerIcon,
   LoaderCircle as SavingIcon,
   Maximize as FitIcon,
   Menu as MenuIcon,
   Minus as MinusIcon,
   MousePointer2 as SelectIcon,
-  PencilLine as DrawIcon,
   Pipette as OtherColourIcon,
   Plus as PlusIcon,
   Redo2 as RedoIcon,
@@ -47,43 +45,19 @@ export {
   Undo2 as UndoIcon,
 } from "lucide-preact";
 
-/** A dashed stroke between two ends. */
+/** A dashed stroke from one end to the other. */
 export const HelpLineIcon = createLucideIcon("help-line", [
-  ["path", { d: "M4 19C5.5 11.5 12.5 17 14.5 11.5S18 5.5 20 5", "stroke-dasharray": "3 3.6" }],
+  [
+    "path",
+    { d: "M2.5 20.5c.8-8.5 4.5-9.700 9.5-8.5s8.700 0 9.5-8.5", "stroke-dasharray": "4 3.45" },
+  ],
 ]);
 
-/** A place inside of a bay. */
+/** A cross in a bay: this is not part of the shape. */
 export const MarkIcon = createLucideIcon("mark", [
-  ["path", { d: "M6.5 4.5C3.5 7 3 12 4.5 15.5S9.5 20.5 13 20s6.5-3 7-7-1.5-7-3.5-8.5" }],
-  ["path", { d: "m9.5 9 5 5" }],
-  ["path", { d: "m14.5 9-5 5" }],
-]);
-
-/** A part before, or behind, a dashed one. */
-export const NearerIcon = createLucideIcon("nearer", [
-  ["rect", { x: "9", y: "9", width: "11", height: "11", rx: "2.5" }],
-  [
-    "path",
-    {
-      d: "M5.5 14.5A1.5 1.5 0 0 1 4 13V6a2 2 0 0 1 2-2h7a1.5 1.5 0 0 1 1.5 1.5",
-      "stroke-dasharray": "2 2.6",
-    },
-  ],
-  ["path", { d: "M14.5 17v-5" }],
-  ["path", { d: "m12.3 14 2.2-2.2 2.2 2.2" }],
-]);
-
-export const FartherIcon = createLucideIcon("farther", [
-  ["rect", { x: "9", y: "9", width: "11", height: "11", rx: "2.5" }],
-  [
-    "path",
-    {
-      d: "M5.5 14.5A1.5 1.5 0 0 1 4 13V6a2 2 0 0 1 2-2h7a1.5 1.5 0 0 1 1.5 1.5",
-      "stroke-dasharray": "2 2.6",
-    },
-  ],
-  ["path", { d: "M14.5 12v5" }],
-  ["path", { d: "m12.3 15 2.2 2.2 2.2-2.2" }],
+  ["path", { d: "M7 3.2A10 10 0 1 0 17 3.2" }],
+  ["path", { d: "m9 9 6 6" }],
+  ["path", { d: "m15 9-6 6" }],
 ]);
 
 /** A face looked at from the front. */

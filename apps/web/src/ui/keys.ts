@@ -18,15 +18,7 @@ export function ownerOf(target: EventTarget | null): KeyOwner {
   return target instanceof HTMLInputElement || target.matches(buttonRoles) ? "button" : "none";
 }
 
-/** Esc leaves one thing at a time: what is over the canvas before what is on it. */
-function closePanel(studio: Studio, event: KeyboardEvent): boolean {
-  if (event.key !== "Escape" || studio.panel.peek() === null) return false;
-  studio.panel.value = null;
-  event.preventDefault();
-  return true;
-}
-
-/** Keys of the whole page go to the core. Returns how to stop. */
+/** Keys of the whole page go to the core, after all that is open over the canvas. Returns how to stop. */
 export function listenToKeys(studio: Studio): () => void {
   const keys = computed(() => keysOf(studio.actions.value));
   const isApple = isAppleSystem(navigator.platform);
@@ -48,7 +40,7 @@ export function listenToKeys(studio: Studio): () => void {
 
   function onKeyDown(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.isComposing) return;
-    if (closePanel(studio, event) || isOwnKey(event, ownerOf(event.target))) return;
+    if (isOwnKey(event, ownerOf(event.target))) return;
     // Space scrolls, and so do arrows; the table's keys with Ctrl are the browser's own.
     if (event.key === " " || isCoreKey(event, isApple, keys.value)) event.preventDefault();
     tell(event, true);
@@ -63,12 +55,12 @@ export function listenToKeys(studio: Studio): () => void {
     tell(new KeyboardEvent("keyup", { key: " " }), false);
   }
 
-  document.addEventListener("keydown", onKeyDown);
-  document.addEventListener("keyup", onKeyUp);
+  window.addEventListener("keydown", onKeyDown);
+  window.addEventListener("keyup", onKeyUp);
   window.addEventListener("blur", onBlur);
   return () => {
-    document.removeEventListener("keydown", onKeyDown);
-    document.removeEventListener("keyup", onKeyUp);
+    window.removeEventListener("keydown", onKeyDown);
+    window.removeEventListener("keyup", onKeyUp);
     window.removeEventListener("blur", onBlur);
   };
 }

@@ -11,7 +11,7 @@ export function LongWorkBar() {
   const work = studio.longWork.value;
   if (work === null) return null;
   return (
-    <div class="long-work">
+    <section class="long-work" aria-labelledby={labelId}>
       <span id={labelId} class="long-work-stage">
         {studio.word(stageWord(work.stage))}
       </span>
@@ -25,6 +25,6 @@ export function LongWorkBar() {
       >
         {studio.label("cancel")}
       </button>
-    </div>
+    </section>
   );
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useRef } from "preact/hooks";
+import { useRef } from "preact/hooks";
 import type { ActionName } from "../protocol/actions.generated";
 import type { Language } from "../protocol/state";
 import type { Panel, Studio } from "../studio/studio";
@@ -21,6 +21,7 @@ import {
 import { useRoving } from "./roving";
 import { SaveMark } from "./save-mark";
 import { useStudio } from "./studio-context";
+import { useBorrowedFocus, useDismissal } from "./use-dismissal";
 import "../styles/menu.css";
 
 interface MenuRow {
@@ -135,28 +136,19 @@ function LanguageItems() {
   );
 }
 
-/** Takes the focus while it is open, and gives it back. */
-function useFocusInside<T extends HTMLElement>() {
-  const ref = useRef<T>(null);
-  useEffect(() => {
-    const before = document.activeElement;
-    ref.current?.querySelector<HTMLElement>("[data-roving]")?.focus();
-    return () => {
-      const isLost = document.activeElement === null || document.activeElement === document.body;
-      if (isLost && before instanceof HTMLElement) before.focus();
-    };
-  }, []);
-  return ref;
-}
-
+/** Everything about the drawing as a whole. */
 export function Menu() {
   const studio = useStudio();
   const roving = useRoving<HTMLDivElement>("vertical");
-  const frame = useFocusInside<HTMLDivElement>();
+  const frame = useRef<HTMLDivElement>(null);
+  useDismissal(frame, () => {
+    studio.panel.value = null;
+  });
+  useBorrowedFocus(frame);
   return (
     <div class="menu surface-raised" ref={frame}>
       <SaveMark />
-      <div {...roving} role="menu" aria-label={studio.word("menu")}>
+      <div {...roving} role="menu" tabIndex={-1} data-first-focus aria-label={studio.word("menu")}>
         {rowsOf(studio).map((rows, index) => (
           <div key={index} class="menu-group" role="group">
             {rows.map((row) => (

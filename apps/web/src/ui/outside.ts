@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect } from "preact/hooks";
 import type { RefObject } from "preact";
+import { useEffect } from "preact/hooks";
 
-/** Calls back when the hand goes down outside of an element, or the focus leaves it. */
+/** Calls back on Esc, when the hand goes down outside of an element, and when the focus leaves it. */
 export function useOutside(
   ref: RefObject<HTMLElement>,
   isActive: boolean,
@@ -14,11 +14,19 @@ export function useOutside(
       const isInside = event.target instanceof Node && ref.current?.contains(event.target) === true;
       if (!isInside) leave();
     };
+    const onKey = (event: KeyboardEvent) => {
+      if (event.key !== "Escape" || event.defaultPrevented) return;
+      // It must not drop the selection as well.
+      event.stopPropagation();
+      leave();
+    };
     document.addEventListener("pointerdown", onEvent, true);
     document.addEventListener("focusin", onEvent);
+    document.addEventListener("keydown", onKey);
     return () => {
       document.removeEventListener("pointerdown", onEvent, true);
       document.removeEventListener("focusin", onEvent);
+      document.removeEventListener("keydown", onKey);
     };
   }, [isActive]);
 }

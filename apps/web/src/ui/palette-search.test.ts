@@ -57,6 +57,10 @@ describe("finding an action", () => {
     expect(ids).toHaveLength(english.length);
   });
 
+  it("begins with the next step of a drawing while nothing is typed", () => {
+    expect(found("")[0]).toBe("mode_inflate");
+  });
+
   it("finds it by the beginning of any of its words, in any order", () => {
     expect(found("hor")).toEqual(["flip_horizontal"]);
     expect(found("hor fl")).toEqual(["flip_horizontal"]);

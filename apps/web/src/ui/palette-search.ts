@@ -16,6 +16,21 @@ export interface PaletteEntry {
 /** They need a place on the canvas, a colour or numbers that only other surfaces know. */
 const leftOut: readonly ActionName[] = ["palette", "cancel", "select", "move_part", "show_place"];
 
+/** What comes first while nothing is typed: the way of a drawing, and nothing that puts it away. */
+const likely: readonly ActionName[] = [
+  "simplify",
+  "mode_inflate",
+  "mode_draw",
+  "export",
+  "zoom_fit",
+  "undo",
+];
+
+function likeliness(action: ActionName): number {
+  const place = likely.indexOf(action);
+  return place === -1 ? likely.length : place;
+}
+
 /** Lines of the palette. choiceLabel: what a choice is called, in a language. */
 export function paletteEntries(
   actions: readonly ActionRow[],
@@ -87,7 +102,11 @@ export function findEntries(
   const typed = folded(query).split(/\s+/).filter(Boolean);
   const enabledFirst = (a: PaletteEntry, b: PaletteEntry) =>
     Number(isEnabled(b.action)) - Number(isEnabled(a.action));
-  if (typed.length === 0) return [...entries].sort(enabledFirst);
+  if (typed.length === 0) {
+    const likelyFirst = (a: PaletteEntry, b: PaletteEntry) =>
+      likeliness(a.action) - likeliness(b.action);
+    return [...entries].sort((a, b) => enabledFirst(a, b) || likelyFirst(a, b));
+  }
   return entries
     .map((entry) => ({ entry, score: entryScore(entry, typed) }))
     .filter(({ score }) => score > 0)

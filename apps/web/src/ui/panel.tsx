@@ -3,6 +3,7 @@ import { X } from "lucide-preact";
 import type { ComponentChildren } from "preact";
 import { useId, useRef } from "preact/hooks";
 import "../styles/panel.css";
+import { IconButton } from "./icon-button";
 import { useStudio } from "./studio-context";
 import { useBorrowedFocus, useDismissal } from "./use-dismissal";
 import { useSheetDrag } from "./use-sheet-drag";
@@ -13,6 +14,8 @@ export interface PanelProps {
   /** On wide screens; on narrow ones all but "top" are sheets that slide up. */
   readonly place?: "right" | "middle" | "top";
   readonly isLarge?: boolean;
+  /** There is more to read than to press: Tab reaches what scrolls. */
+  readonly isReading?: boolean;
   /** Stands between the title and what scrolls: a search field, tabs. */
   readonly head?: ComponentChildren;
   /** Stands below what scrolls: the primary button. */
@@ -38,7 +41,7 @@ export function Panel(props: PanelProps) {
   return (
     <section
       ref={root}
-      class={`panel panel-${place}${size}`}
+      class={`panel surface-raised panel-${place}${size}`}
       role="dialog"
       aria-modal="false"
       aria-labelledby={titleId}
@@ -48,22 +51,17 @@ export function Panel(props: PanelProps) {
       style={{ "--dragged": `${sheet.movedPx}px` }}
     >
       <div class="panel-handle" aria-hidden="true" {...sheet.handle} />
-      <header class="panel-header">
+      <div class="panel-header">
         <h2 id={titleId} class="panel-title">
           {props.title}
         </h2>
-        <button
-          type="button"
-          class="panel-close"
-          aria-label={studio.word("close")}
-          onClick={props.onClose}
-        >
-          <X size={18} aria-hidden="true" />
-        </button>
-      </header>
+        <IconButton icon={X} label={studio.word("close")} onClick={props.onClose} />
+      </div>
       {props.head}
-      <div class="panel-body">{props.children}</div>
-      {props.foot !== undefined && <footer class="panel-foot">{props.foot}</footer>}
+      <div class="panel-body" tabIndex={props.isReading === true ? 0 : undefined}>
+        {props.children}
+      </div>
+      {props.foot !== undefined && <div class="panel-foot">{props.foot}</div>}
     </section>
   );
 }

@@ -37,7 +37,7 @@ function PartSwitches({ part, isReached }: Pick<PartRowProps, "part" | "isReache
         data-on={part.isLocked}
         tabIndex={tabIndex}
         aria-label={lockedLabel}
-        title={lockedLabel}
+        data-tip={lockedLabel}
         onClick={() => {
           studio.act("lock_part", id);
         }}
@@ -50,7 +50,7 @@ function PartSwitches({ part, isReached }: Pick<PartRowProps, "part" | "isReache
         data-on={part.isHidden}
         tabIndex={tabIndex}
         aria-label={visibleLabel}
-        title={visibleLabel}
+        data-tip={visibleLabel}
         onClick={() => {
           studio.act("hide_part", id);
         }}

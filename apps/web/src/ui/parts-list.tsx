@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useId, useRef, useState } from "preact/hooks";
+import { useId, useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { LayerRow } from "../protocol/state";
 import { neighbouringGap, placeFromBack } from "./part-order";
 import { PartRow } from "./part-row";
@@ -130,24 +130,22 @@ export function PartsList({ renamed, onRename }: PartsListProps) {
   );
 }
 
-/** When the row that has the focus goes, its neighbour gets it: else the next key would start from the top of the page. */
+/**
+ * A row that is moved loses the focus with its element, and one that goes takes it along: it comes back to the row, or to its
+ * neighbour. Else the next key would start from the top of the page.
+ */
 function useKeptFocus(
   list: { readonly current: HTMLElement | null },
   ids: readonly number[],
   focused: number | null,
   focusRow: (index: number) => void,
 ): void {
-  const before = useRef<{ readonly ids: readonly number[]; readonly hadFocus: boolean }>({
-    ids,
-    hadFocus: false,
-  });
+  const before = useRef(ids);
   const hadFocus = list.current?.contains(document.activeElement) === true;
-  useEffect(() => {
-    const at = focused === null ? -1 : before.current.ids.indexOf(focused);
-    const isGone = at !== -1 && focused !== null && !ids.includes(focused);
-    if (isGone && before.current.hadFocus && document.activeElement === document.body) {
-      focusRow(Math.min(at, ids.length - 1));
-    }
-    before.current = { ids, hadFocus };
+  useLayoutEffect(() => {
+    const at = focused === null ? -1 : before.current.indexOf(focused);
+    before.current = ids;
+    if (!hadFocus || focused === null || document.activeElement !== document.body) return;
+    focusRow(ids.includes(focused) ? ids.indexOf(focused) : Math.min(at, ids.length - 1));
   });
 }

@@ -16,21 +16,11 @@ interface PopoverProps {
 export function Popover({ icon, label, children }: PopoverProps) {
   const frame = useRef<HTMLDivElement>(null);
   const [isOpen, setOpen] = useState(false);
-  const close = () => {
+  useOutside(frame, isOpen, () => {
     setOpen(false);
-  };
-  useOutside(frame, isOpen, close);
+  });
   return (
-    <div
-      class="popover"
-      ref={frame}
-      onKeyDown={(event) => {
-        if (!isOpen || event.key !== "Escape") return;
-        event.preventDefault();
-        close();
-        frame.current?.querySelector("button")?.focus();
-      }}
-    >
+    <div class="popover" ref={frame}>
       <IconButton
         icon={icon}
         label={label}

@@ -4,6 +4,7 @@ import { useId } from "preact/hooks";
 import type { Word } from "../studio/words";
 import "../styles/settings-panel.css";
 import { Panel } from "./panel";
+import { Segmented } from "./segmented";
 import { useStudio } from "./studio-context";
 import { useStorageEstimate } from "./use-storage-estimate";
 
@@ -13,29 +14,22 @@ interface ChoiceRowProps<T extends string> {
   readonly choices: readonly (readonly [T, Word])[];
 }
 
-/** One of a few, all of them in sight. */
 function ChoiceRow<T extends string>({ label, setting, choices }: ChoiceRowProps<T>) {
   const studio = useStudio();
-  const name = useId();
   return (
-    <fieldset class="setting">
-      <legend>{label}</legend>
-      <div class="setting-choices">
-        {choices.map(([value, text]) => (
-          <label key={value} class="setting-choice">
-            <input
-              type="radio"
-              name={name}
-              checked={setting.value === value}
-              onChange={() => {
-                setting.value = value;
-              }}
-            />
-            <span>{studio.word(text)}</span>
-          </label>
-        ))}
-      </div>
-    </fieldset>
+    <div class="setting">
+      <p class="setting-label" aria-hidden="true">
+        {label}
+      </p>
+      <Segmented
+        label={label}
+        segments={choices.map(([value, text]) => ({ value, label: studio.word(text) }))}
+        chosen={setting.value}
+        onChoose={(value) => {
+          setting.value = value;
+        }}
+      />
+    </div>
   );
 }
 

@@ -65,11 +65,13 @@ function PartsButton() {
   const studio = useStudio();
   const count = studio.state.value.layers.length;
   return (
-    <div class="parts-button surface" data-count={count}>
+    <div class="parts-button surface">
       <PanelButton panel="parts" icon={PartsIcon} label={studio.word("parts_count", count)} />
-      <span class="parts-count" aria-hidden="true">
-        {count}
-      </span>
+      {count > 0 && (
+        <span class="parts-badge" aria-hidden="true">
+          {count}
+        </span>
+      )}
     </div>
   );
 }

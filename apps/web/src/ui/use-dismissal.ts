@@ -37,12 +37,13 @@ export function useDismissal(root: RefObject<HTMLElement>, onClose: () => void):
 export function useBorrowedFocus(root: RefObject<HTMLElement>): void {
   useEffect(() => {
     const opener = document.activeElement;
-    const first = root.current?.querySelector<HTMLElement>("[data-first-focus]") ?? root.current;
+    const panel = root.current;
+    const first = panel?.querySelector<HTMLElement>("[data-first-focus]") ?? panel;
     first?.focus({ preventScroll: true });
     return () => {
       const active = document.activeElement;
       // Who has moved on by themselves is not called back.
-      const isLost = active === null || active === document.body || !active.isConnected;
+      const isLost = active === document.body || panel?.contains(active) === true;
       if (isLost && opener instanceof HTMLElement && opener.isConnected) opener.focus();
     };
   }, [root]);

@@ -13,6 +13,6 @@ export interface EngineChanges {
   readonly journal: Uint8Array;
   /** The journal starts anew with these bytes. */
   readonly isJournalNew: boolean;
-  /** The journal that was read could be followed to its end. Only after recover(). */
+  /** Each byte of the journal that was read last counts, so that more can be appended to it. Only after recover(). */
   readonly isRecoveredWhole: boolean;
 }

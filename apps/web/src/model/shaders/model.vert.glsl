@@ -11,8 +11,9 @@ layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec2 a_place;
 
-out vec3 v_normal;
-out vec2 v_place;
+// At the edge of a triangle the middle of a pixel lies outside: what is seen there must come from inside.
+centroid out vec3 v_normal;
+centroid out vec2 v_place;
 
 void main() {
   gl_Position = u_to_clip * vec4(a_position.xy, u_inflation * a_position.z, 1.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the edges are found in: the normal, and whether there is anything. The depth has a texture of its own.
 
-in vec3 v_normal;
+centroid in vec3 v_normal;
 
 out vec4 seen;
 
