@@ -2,9 +2,9 @@
 import { chromium } from "playwright-core";
 
 /** Debian's; another one by the environment. */
-const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+export const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
 
-const flags = [
+export const flags = [
   "--no-sandbox",
   "--use-angle=swiftshader",
   "--enable-unsafe-swiftshader",

@@ -35,11 +35,11 @@ export class IndexedJournalStore implements JournalStore {
     await this.leave();
     const found = session === null ? null : await this.take(session);
     void this.dropSurplus();
-    if (session !== null && found !== null) return this.goOn(session, found);
-    const id = this.parts.newId();
-    await this.parts.holds.take(id, 0);
-    this.begin(id, null);
-    return { id, generations: [] };
+    const opened =
+      session !== null && found !== null ? this.goOn(session, found) : await this.beginNew();
+    // Whatever there is now came from the database.
+    this.onState({ kind: "saved", timeMs: this.parts.now() });
+    return opened;
   }
 
   append(bytes: Uint8Array): void {
@@ -105,6 +105,13 @@ export class IndexedJournalStore implements JournalStore {
     if (found !== null && found.lines.length > 0) return found;
     this.parts.holds.release(session);
     return null;
+  }
+
+  private async beginNew(): Promise<OpenedSession> {
+    const id = this.parts.newId();
+    await this.parts.holds.take(id, 0);
+    this.begin(id, null);
+    return { id, generations: [] };
   }
 
   private goOn(session: string, { lines, record }: FoundSession): OpenedSession {

@@ -79,7 +79,7 @@ export function textOf(bytes: Uint8Array | undefined): string | null {
   return bytes ? new TextDecoder().decode(bytes) : null;
 }
 
-/** When the store has said that all is saved, or that it is not. */
+/** When the store has said, after its last write has begun, that all is saved, or that it is not. */
 export async function untilTold(tab: Tab): Promise<SaveState> {
   for (;;) {
     const last = tab.states.at(-1);
