@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { JSX } from "preact";
 import { useId, useLayoutEffect, useRef, useState } from "preact/hooks";
 import "../styles/palette-panel.css";
 import { choiceLabel } from "./choice-words";
@@ -89,7 +90,8 @@ export function PalettePanel() {
   const [asked, setAsked] = useState<PaletteEntry | null>(null);
   const language = studio.preferences.language.value;
   const entries = paletteEntries(studio.actions.value, language, choiceLabel);
-  const found = findEntries(entries, query, (action) => studio.isEnabled(action));
+  const find = (typed: string) => findEntries(entries, typed, (action) => studio.isEnabled(action));
+  const found = find(query);
   const activeEntry = found[active];
 
   const close = () => {
@@ -105,13 +107,17 @@ export function PalettePanel() {
     if (entry.asksFor === null) run(entry, entry.choice ?? "");
     else setAsked(entry);
   };
-  const onKeyDown = (event: KeyboardEvent) => {
+  const onKeyDown = (event: JSX.TargetedKeyboardEvent<HTMLInputElement>) => {
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     if (step !== undefined && found.length > 0) {
       setActive((active + step + found.length) % found.length);
       event.preventDefault();
     }
-    if (event.key === "Enter" && activeEntry !== undefined) choose(activeEntry);
+    if (event.key !== "Enter") return;
+    // Enter may come before what was typed last has been shown: it means what stands in the field.
+    const typed = event.currentTarget.value;
+    const meant = typed === query ? activeEntry : find(typed)[0];
+    if (meant !== undefined) choose(meant);
   };
 
   const field = (
