@@ -29,6 +29,16 @@ if(INKFLATE_SANITIZE)
   target_link_options(inkflate_flags INTERFACE -fsanitize=address,undefined)
   target_compile_definitions(inkflate_flags INTERFACE INKFLATE_SANITIZE)
 endif()
+# The core is compiled without exceptions: WebAssembly cannot catch, so nothing may throw.
+add_library(inkflate_core_flags INTERFACE)
+target_link_libraries(inkflate_core_flags INTERFACE inkflate_flags)
+target_compile_options(inkflate_core_flags INTERFACE -fno-exceptions)
+if(EMSCRIPTEN)
+  # Smaller by a tenth (gzip: 625 to 568 kB) and not slower; -Os would be smaller still, but up to 450 times slower.
+  target_compile_options(inkflate_core_flags INTERFACE -flto "SHELL:-mllvm -inline-threshold=80")
+  target_link_options(inkflate_core_flags INTERFACE -flto "LINKER:-mllvm,-inline-threshold=80")
+endif()
+
 # What programs that a person or a test starts need beside the flags.
 add_library(inkflate_program INTERFACE)
 target_link_libraries(inkflate_program INTERFACE inkflate_flags)
@@ -43,15 +53,13 @@ if(EMSCRIPTEN)
 endif()
 
 # inkflate_library(FOLDER [folder it may include ...]): the library of one folder of src/.
-# The core is compiled without exceptions: WebAssembly cannot catch, so nothing may throw.
 function(inkflate_library name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   add_library(inkflate_${name} STATIC ${sources})
   set_target_properties(inkflate_${name} PROPERTIES LINKER_LANGUAGE CXX)
   target_include_directories(inkflate_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
-  target_compile_options(inkflate_${name} PRIVATE -fno-exceptions)
   list(TRANSFORM ARGN PREPEND inkflate_)
-  target_link_libraries(inkflate_${name} PUBLIC ${ARGN} PRIVATE inkflate_flags)
+  target_link_libraries(inkflate_${name} PUBLIC ${ARGN} PRIVATE inkflate_core_flags)
   inkflate_check_headers(inkflate_${name} ${sources})
 endfunction()
 

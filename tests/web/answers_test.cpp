@@ -11,12 +11,10 @@
 namespace inkflate::web {
 namespace {
 
-using nlohmann::json;
-
-json head_of(Answer const& answer) { return json::parse(answer.head); }
+Json head_of(Answer const& answer) { return Json::parse(answer.head); }
 
 /// A blob of an answer by its place in the head.
-std::string blob(Answer const& answer, json const& place) {
+std::string blob(Answer const& answer, Json const& place) {
   std::string text;
   auto const start = place.at(0).get<std::size_t>();
   for (auto i = start; i < start + place.at(1).get<std::size_t>(); ++i) {
@@ -29,7 +27,7 @@ TEST(BlobWriter, BlobsBeginAtMultiplesOfFour) {
   BlobWriter blobs;
   auto const first = blobs.add(bytes_of("abcde"));
   auto const second = blobs.add(bytes_of("f"));
-  EXPECT_EQ(second, json::array({8, 1}));
+  EXPECT_EQ(second, Json::array({8, 1}));
   auto const answer = blobs.answer({});
   EXPECT_EQ(blob(answer, first), "abcde");
   EXPECT_EQ(blob(answer, second), "f");
@@ -53,14 +51,14 @@ TEST(ChangesAnswer, GatheredChangesAreAllThere) {
   EXPECT_TRUE(head.at("isSceneChanged"));
   EXPECT_TRUE(head.at("isStateChanged"));
   EXPECT_FALSE(head.at("isDocumentChanged"));
-  EXPECT_EQ(head.at("requests"), json::array({"help"}));
+  EXPECT_EQ(head.at("requests"), Json::array({"help"}));
   EXPECT_EQ(head.at("files").at(0).at("name"), "a.svg");
   EXPECT_EQ(blob(answer, head.at("files").at(0).at("bytes")), "<svg/>");
   EXPECT_EQ(blob(answer, head.at("journal")), "one two");
   auto const& message = head.at("messages").at(0);
   EXPECT_EQ(message.at("severity"), "warning");
   EXPECT_FALSE(message.at("text").get<std::string>().empty());
-  EXPECT_EQ(message.at("place"), json({{"x", 1}, {"y", 2}, {"width", 3}, {"height", 4}}));
+  EXPECT_EQ(message.at("place"), Json({{"x", 1}, {"y", 2}, {"width", 3}, {"height", 4}}));
 }
 
 TEST(ChangesAnswer, AJournalThatBeginsAnewForgetsWhatWasGathered) {
@@ -116,8 +114,8 @@ TEST(StateAnswer, EveryActionHasItsRow) {
     EXPECT_EQ(is_choice, !row.at("choices").empty()) << row;
   }
   auto const look = std::find_if(rows.begin(), rows.end(),
-                                 [](json const& row) { return row.at("name") == "look"; });
-  EXPECT_EQ(look->at("choices"), json({"matcap", "textured", "lines"}));
+                                 [](Json const& row) { return row.at("name") == "look"; });
+  EXPECT_EQ(look->at("choices"), Json({"matcap", "textured", "lines"}));
 }
 
 TEST(SceneAnswer, WhatTheSceneBeforeHadIsNotSentAgain) {

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "io/write_document_json.h"
+
 namespace inkflate::web {
 
 BlobWriter::Place BlobWriter::add(std::span<std::byte const> bytes) {
@@ -11,11 +13,7 @@ BlobWriter::Place BlobWriter::add(std::span<std::byte const> bytes) {
   return place_from(start);
 }
 
-Answer BlobWriter::answer(nlohmann::json const& head) {
-  // Names of files come from outside: bytes that are no UTF-8 become U+FFFD.
-  return {head.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
-          std::exchange(bytes_, {})};
-}
+Answer BlobWriter::answer(Json const& head) { return {json_text(head), std::exchange(bytes_, {})}; }
 
 std::size_t BlobWriter::begin() {
   while (bytes_.size() % 4 != 0) bytes_.push_back(std::byte{0});

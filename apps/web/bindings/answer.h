@@ -9,6 +9,9 @@
 
 namespace inkflate::web {
 
+/// The same that the core writes files with: another kind would be a library's worth of code beside it.
+using Json = nlohmann::ordered_json;
+
 /// What goes out of the core: a head, JSON in UTF-8, and the bytes of blobs. In the head a blob is a pair: its first byte and how many
 /// they are. In blobs all numbers are of four bytes, the lowest byte first, and each begins at a multiple of four.
 struct Answer {
@@ -19,7 +22,7 @@ struct Answer {
 /// Blobs one after another.
 class BlobWriter {
  public:
-  using Place = nlohmann::json;  // as the head names a blob
+  using Place = Json;  // as the head names a blob
 
   Place add(std::span<std::byte const> bytes);
 
@@ -32,7 +35,7 @@ class BlobWriter {
   }
 
   /// The answer; the writer has nothing any more.
-  Answer answer(nlohmann::json const& head);
+  Answer answer(Json const& head);
 
  private:
   std::size_t begin();

@@ -9,15 +9,13 @@
 namespace inkflate::web {
 namespace {
 
-using nlohmann::json;
-
 template <typename T>
 void append(std::vector<T>& list, std::vector<T> next) {
   list.insert(list.end(), std::make_move_iterator(next.begin()),
               std::make_move_iterator(next.end()));
 }
 
-json place_json(std::optional<Rect> const& place) {
+Json place_json(std::optional<Rect> const& place) {
   if (!place || place->is_empty()) return nullptr;
   return {{"x", place->min.x},
           {"y", place->min.y},
@@ -48,13 +46,13 @@ Recovery recovery_of(Changes const& recovered, std::size_t journal_bytes) {
 
 Answer changes_answer(Changes const& changes, Recovery recovery, Language language) {
   BlobWriter blobs;
-  auto messages = json::array();
+  auto messages = Json::array();
   for (auto const& message : changes.messages) {
     messages.push_back({{"severity", name_of(message.severity)},
                         {"text", text_of(message, language)},
                         {"place", place_json(message.place)}});
   }
-  auto files = json::array();
+  auto files = Json::array();
   for (auto const& file : changes.files) {
     files.push_back({{"name", file.name}, {"bytes", blobs.add(file.bytes)}});
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "web/bindings/scene_answer.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "render/model_placement.h"
@@ -11,17 +12,26 @@
 namespace inkflate::web {
 namespace {
 
-using nlohmann::json;
+// What surrounds the drawing lies over its upper and lower edge, px.
+constexpr double kTopChromePx = 64;
+constexpr double kBottomChromePx = 84;
+// However low the window is, half of it is the model's.
+constexpr double kMostChrome = 0.5;
 
-json shadow_json(Rect const& box, ViewSize const& size) {
+/// The height that a model is fitted into, in the middle between the bars. Zooming goes on over the whole window.
+double free_height(double height_px) {
+  return std::max(height_px - kTopChromePx - kBottomChromePx, kMostChrome * height_px);
+}
+
+Json shadow_json(Rect const& box, ViewSize const& size) {
   if (box.is_empty()) return {{"x", 0}, {"y", 0}, {"rx", 0}, {"ry", 0}};
   auto const [centre, half_axes_px] = shadow_ellipse(box, size.width_px, size.height_px);
   return {{"x", centre.x}, {"y", centre.y}, {"rx", half_axes_px.x}, {"ry", half_axes_px.y}};
 }
 
-json placed_model_json(ModelScene const& model, Scene const& scene) {
+Json placed_model_json(ModelScene const& model, Scene const& scene) {
   auto const [width_px, height_px] = scene.size;
-  auto const placement = model_placement(*model.model, model.view, width_px, height_px);
+  auto const placement = model_placement(*model.model, model.view, width_px, free_height(height_px));
   return {{"id", model.id},
           {"toView", to_view(placement, width_px, height_px)},
           {"onPaper", onto_paper(*model.model, scene.canvas_to_screen)},
@@ -35,9 +45,9 @@ json placed_model_json(ModelScene const& model, Scene const& scene) {
 Answer SceneSender::answer(Scene const& scene) {
   BlobWriter blobs;
   std::set<std::uint64_t> sent;
-  auto chunks = json::array();
+  auto chunks = Json::array();
   for (auto const& chunk : scene.chunks) {
-    auto row = json::array({chunk.id, chunk.space});
+    auto row = Json::array({chunk.id, chunk.space});
     if (chunks_.count(chunk.id) == 0) {
       auto const place =
           blobs.add_written([&](auto& bytes) { write_draw_list(*chunk.list, bytes); });
@@ -48,7 +58,7 @@ Answer SceneSender::answer(Scene const& scene) {
   }
   chunks_ = std::move(sent);
   auto const& [a, b, c, d, e, f] = scene.canvas_to_screen;
-  json head = {{"width", scene.size.width_px},         {"height", scene.size.height_px},
+  Json head = {{"width", scene.size.width_px},         {"height", scene.size.height_px},
                {"canvasToScreen", {a, b, c, d, e, f}}, {"paper", packed(scene.paper)},
                {"chunks", std::move(chunks)},          {"model", nullptr}};
   if (scene.model && scene.model->model) {

@@ -10,8 +10,6 @@
 namespace inkflate::web {
 namespace {
 
-using nlohmann::json;
-
 /// "#rrggbb"
 std::string hex(Colour colour) {
   static constexpr std::string_view kDigits = "0123456789abcdef";
@@ -24,18 +22,18 @@ std::string hex(Colour colour) {
 }
 
 template <typename T>
-json or_null(std::optional<T> const& value) {
-  return value ? json(*value) : json();
+Json or_null(std::optional<T> const& value) {
+  return value ? Json(*value) : Json();
 }
 
 /// The name of an action; null: none.
-json action_json(std::string const& name) { return name.empty() ? json() : json(name); }
+Json action_json(std::string const& name) { return name.empty() ? Json() : Json(name); }
 
-json row_json(LayerRow const& row) {
+Json row_json(LayerRow const& row) {
   return {{"id", row.id},
           {"name", row.name},
           {"thickness", row.thickness},
-          {"fill", row.fill ? json(hex(*row.fill)) : json()},
+          {"fill", row.fill ? Json(hex(*row.fill)) : Json()},
           {"isHidden", row.is_hidden},
           {"isLocked", row.is_locked},
           {"isOpen", row.is_open},
@@ -53,7 +51,7 @@ std::size_t count_marks(Document const& document) {
   return count;
 }
 
-json view_json(View const& view) {
+Json view_json(View const& view) {
   auto const& settings = view.settings;
   return {{"mode", name_of(view.mode)},      {"tool", name_of(view.tool)},
           {"brushPx", settings.brush_px},    {"ink", hex(settings.ink)},
@@ -62,16 +60,16 @@ json view_json(View const& view) {
           {"zoom", view.camera.zoom},        {"shading", name_of(view.shading)}};
 }
 
-json chords_json(std::string_view keys) {
-  auto chords = json::array();
+Json chords_json(std::string_view keys) {
+  auto chords = Json::array();
   for (auto const& chord : parse_chords(keys).value_or(std::vector<KeyChord>())) {
     chords.push_back(chord_text(chord));
   }
   return chords;
 }
 
-json choices_json(std::string_view choices) {
-  auto result = json::array();
+Json choices_json(std::string_view choices) {
+  auto result = Json::array();
   while (!choices.empty()) {
     auto const end = choices.find(' ');
     result.push_back(choices.substr(0, end));
@@ -84,7 +82,7 @@ json choices_json(std::string_view choices) {
 
 Answer state_answer(EngineState const& state, Document const& document) {
   auto json_state = view_json(state.view);
-  auto layers = json::array();
+  auto layers = Json::array();
   for (auto const& row : state.layers) layers.push_back(row_json(row));
   json_state.update({{"layers", std::move(layers)},
                      {"hasRoughStrokes", state.has_rough_strokes},
@@ -102,7 +100,7 @@ Answer state_answer(EngineState const& state, Document const& document) {
 }
 
 Answer actions_answer() {
-  auto rows = json::array();
+  auto rows = Json::array();
   for (auto const& action : actions()) {
     rows.push_back({{"name", action.name},
                     {"menu", name_of(action.menu)},

@@ -39,7 +39,7 @@ void put_places(std::vector<std::array<Vec2, 3>> const& corners, Bytes& bytes) {
 
 }  // namespace
 
-nlohmann::json mesh_json(RestModel const& model, Texture const* texture, BlobWriter& blobs) {
+Json mesh_json(RestModel const& model, Texture const* texture, BlobWriter& blobs) {
   static Texture const kNone;
   auto const& worn = texture ? *texture : kNone;
   auto const& triangles = model.mesh.triangles;

@@ -7,6 +7,6 @@
 namespace inkflate::web {
 
 /// ModelMesh of src/protocol/scene.ts: triangles with their own corners. texture: null: none.
-nlohmann::json mesh_json(RestModel const& model, Texture const* texture, BlobWriter& blobs);
+Json mesh_json(RestModel const& model, Texture const* texture, BlobWriter& blobs);
 
 }  // namespace inkflate::web

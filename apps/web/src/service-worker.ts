@@ -30,9 +30,10 @@ async function install(): Promise<void> {
   );
 }
 
+/** The version before stays: another tab may still show it, and fetch more of its files. */
 async function removeOlder(): Promise<void> {
   const names = await caches.keys();
-  const older = names.filter((name) => name.startsWith(prefix) && name !== cacheName);
+  const older = names.filter((name) => name.startsWith(prefix) && name !== cacheName).slice(0, -1);
   await Promise.all(older.map((name) => caches.delete(name)));
 }
 
@@ -40,7 +41,8 @@ async function answer(request: Request): Promise<Response> {
   const cache = await caches.open(cacheName);
   // Whatever stands behind the address of the page, it is the one page.
   const wanted = request.mode === "navigate" ? home : request;
-  return (await cache.match(wanted, { ignoreSearch: true })) ?? fetch(request);
+  const kept = (await cache.match(wanted, { ignoreSearch: true })) ?? (await caches.match(request));
+  return kept ?? fetch(request);
 }
 
 self.addEventListener("install", (event) => {

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
-import { characterOn, drawPart, inflate } from "../harness/drawn.mjs";
+import { characterOn, inflate } from "../harness/drawn.mjs";
 import { test } from "../harness/tests.mjs";
 
 const axeSource = await readFile(createRequire(import.meta.url).resolve("axe-core"), "utf8");
@@ -18,38 +18,54 @@ async function findings(page) {
   }, tags);
 }
 
-async function assertAccessible({ page, picture }, where) {
-  await page.waitForTimeout(350);
-  await picture(where);
-  const found = await findings(page);
-  assert.deepEqual(found, [], `${where}: ${found.join("\n")}`);
-}
+/** All that is found is told at once. */
+class Inspection {
+  found = [];
 
-async function tryPanels(world) {
-  for (const panel of panels) {
-    await world.page.evaluate((name) => (globalThis.inkflateStudio.panel.value = name), panel);
-    await assertAccessible(world, panel);
+  constructor(world) {
+    this.world = world;
   }
-  await world.page.evaluate(() => (globalThis.inkflateStudio.panel.value = null));
+
+  async look(where) {
+    const { page, picture } = this.world;
+    await page.waitForTimeout(350);
+    await picture(where);
+    for (const finding of await findings(page)) this.found.push(`${where}: ${finding}`);
+  }
+
+  async lookAtPanels() {
+    const { page } = this.world;
+    const show = (panel) =>
+      page.evaluate((name) => {
+        globalThis.inkflateStudio.panel.value = name;
+      }, panel);
+    for (const panel of panels) {
+      await show(panel);
+      await this.look(panel);
+    }
+    await show(null);
+  }
 }
 
 for (const device of ["wide", "phone"]) {
   for (const colorScheme of ["light", "dark"]) {
-    const options = { device, context: { colorScheme }, timeoutS: 120 };
+    const options = { device, context: { colorScheme }, timeoutS: 300 };
     test(`axe finds nothing: ${device}, ${colorScheme}`, options, async (world) => {
       const { studio, mouse } = world;
+      const inspection = new Inspection(world);
       await studio.open();
-      await assertAccessible(world, "empty");
+      await inspection.look("empty");
       const { body } = await characterOn(studio);
       await mouse.strokes(body);
-      await assertAccessible(world, "rough");
-      await drawPart(world, mouse, body.slice(0, 1), 1);
-      await assertAccessible(world, "drawn");
+      await inspection.look("rough");
+      await studio.act("simplify");
+      await studio.partsAre(1);
       await studio.act("select_all");
-      await assertAccessible(world, "selected");
-      await tryPanels(world);
+      await inspection.look("selected");
+      await inspection.lookAtPanels();
       await inflate(world);
-      await assertAccessible(world, "inflated");
+      await inspection.look("inflated");
+      assert.deepEqual(inspection.found, []);
     });
   }
 }

@@ -26,9 +26,12 @@ test("first minute: a scribble becomes a model and leaves as a file", {}, async 
   await mouse.drag(place([500, 500]), place([700, 470]));
   await picture("turned");
   await keys.press("Control+Shift+e");
-  await page.getByRole("dialog").waitFor();
+  const dialog = page.getByRole("dialog", { name: "Export" });
+  await dialog.getByRole("radio", { name: /^GLB/ }).check();
+  const save = dialog.getByRole("button", { name: "Save", disabled: false });
+  await save.waitFor();
   await picture("export");
-  const file = await studio.download(() => page.getByRole("button", { name: /GLB/ }).click());
+  const file = await studio.download(() => save.click());
   await assertValidGlb(file.bytes);
 });
 

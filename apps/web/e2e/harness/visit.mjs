@@ -49,7 +49,7 @@ export async function visit(
       const [open] = context.pages();
       const folder = hasFailed ? failureFolder : pictureFolder;
       await open
-        ?.screenshot({ path: join(folder, `${name}.png`), timeout: 5000 })
+        ?.screenshot({ path: join(folder, `${name}.png`), timeout: 20000 })
         .catch(() => null);
       const trace = hasFailed ? { path: join(failureFolder, `${name}.zip`) } : {};
       await context.tracing.stop(trace).catch(() => null);

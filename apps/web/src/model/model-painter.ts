@@ -2,6 +2,7 @@
 import type { ModelMesh, ModelUpdate } from "../protocol/scene";
 import { GpuModel } from "./gpu-model";
 import { InkPass } from "./ink-pass";
+import type { Care } from "./ink-pass";
 import type { Pose } from "./pose";
 import { ShadowPass } from "./shadow-pass";
 import { SurfacePass } from "./surface-pass";
@@ -15,6 +16,8 @@ export class ModelPainter {
   #ink: InkPass | null = null;
   #mesh: ModelMesh | null = null;
   #model: GpuModel | null = null;
+  /** Of the last picture that was costly. */
+  #finished: WebGLSync | null = null;
 
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
@@ -27,6 +30,13 @@ export class ModelPainter {
     gl.clearColor(0, 0, 0, 0);
   }
 
+  /** The GPU still works on the last picture, and one with less care would help. */
+  get isBehind(): boolean {
+    if (!this.#finished) return false;
+    const gl = this.#gl;
+    return gl.getSyncParameter(this.#finished, gl.SYNC_STATUS) !== gl.SIGNALED;
+  }
+
   /** The mesh in the memory of the GPU; it is sent there once. */
   model(mesh: ModelMesh): GpuModel {
     if (this.#model && this.#mesh === mesh) return this.#model;
@@ -37,8 +47,10 @@ export class ModelPainter {
   }
 
   /** ratio: px of the display for one of the view. */
-  paint(model: GpuModel, update: ModelUpdate, pose: Pose, ratio: number): void {
+  paint(model: GpuModel, update: ModelUpdate, pose: Pose, ratio: number, care: Care): void {
     const gl = this.#gl;
+    gl.deleteSync(this.#finished);
+    this.#finished = null;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -46,10 +58,12 @@ export class ModelPainter {
     this.#surface.draw(model, pose, update.shading);
     if (update.shading !== "lines") return;
     this.#ink ??= new InkPass(gl);
-    this.#ink.draw(model, pose, ratio, pose.share);
+    this.#ink.draw(model, pose, ratio, care);
+    this.#finished = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   }
 
   dispose(): void {
+    this.#gl.deleteSync(this.#finished);
     this.#model?.dispose();
     this.#ink?.dispose();
     this.#surface.dispose();

@@ -18,6 +18,9 @@ const CONTEXT: WebGLContextAttributes = {
   preserveDrawingBuffer: false,
 };
 
+/** After so long without a change there is time for a fine picture. */
+const REST_MS = 200;
+
 /**
  * Shows the inflated model on a transparent canvas of its own, over the paper.
  *
@@ -46,6 +49,9 @@ export class ModelView {
   /** How far the rise has come. */
   #riseTimeMs = 0;
   #request = 0;
+  /** The machine cannot keep up: rougher pictures, until nothing has changed for a while. */
+  #isHurried = false;
+  #rest = 0;
 
   /** Fails where the browser has no WebGL 2, or keeps it off. */
   static open(canvas: HTMLCanvasElement): Outcome<ModelView> {
@@ -102,6 +108,7 @@ export class ModelView {
     this.#listening.abort();
     cancelAnimationFrame(this.#request);
     this.#request = 0;
+    clearTimeout(this.#rest);
     this.#painter?.dispose();
     this.#painter = null;
     this.#hide();
@@ -156,8 +163,19 @@ export class ModelView {
     if (!isVisible || !this.#update || !this.#mesh || this.#gl.isContextLost()) return;
     this.#painter ??= new ModelPainter(this.#gl);
     const model = this.#painter.model(this.#mesh);
-    this.#painter.paint(model, this.#update, this.#pose(model, this.#update), this.#ratio);
+    const care = this.#isHurried ? "quick" : "fine";
+    this.#painter.paint(model, this.#update, this.#pose(model, this.#update), this.#ratio, care);
     this.onDrawn?.();
+  }
+
+  #hurry(): void {
+    if (this.#painter?.isBehind) this.#isHurried = true;
+    if (!this.#isHurried) return;
+    clearTimeout(this.#rest);
+    this.#rest = window.setTimeout(() => {
+      this.#isHurried = false;
+      this.#paint();
+    }, REST_MS);
   }
 
   readonly #schedule = (): void => {
@@ -165,6 +183,7 @@ export class ModelView {
     this.#request = requestAnimationFrame((timeMs) => {
       this.#request = 0;
       this.#advance(timeMs);
+      this.#hurry();
       this.#paint();
       if (!this.#motion) return;
       this.#motionStartMs ??= performance.now();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import "../styles/base.css";
 import "../styles/shell.css";
-import { useEffect } from "preact/hooks";
+import { useEffect, useLayoutEffect } from "preact/hooks";
 import { examples, openExample } from "../files/examples";
 import type { Studio } from "../studio/studio";
 import { CanvasHost, type MountCanvas } from "./canvas-host";
@@ -40,9 +40,6 @@ function keepFocus(event: MouseEvent): void {
 /** What lies over the canvas when it is asked for. Parts have a place of their own where the window is wide. */
 function OpenPanel() {
   const { panel } = useStudio();
-  const close = () => {
-    panel.value = null;
-  };
   switch (panel.value) {
     case "menu":
       return <Menu />;
@@ -53,9 +50,9 @@ function OpenPanel() {
     case "settings":
       return <SettingsPanel />;
     case "export":
-      return <ExportPanel onClose={close} />;
+      return <ExportPanel />;
     case "gallery":
-      return <GalleryPanel onClose={close} />;
+      return <GalleryPanel />;
     case "sessions":
       return <SessionsPanel />;
     case "parts":
@@ -76,9 +73,7 @@ function Shell({ mount }: { readonly mount: MountCanvas }) {
         <StartPaper examples={startExamples(studio)} />
       </main>
       <div class="chrome">
-        <header class="top-bar">
-          <TopBar />
-        </header>
+        <TopBar />
         <nav class="tools" aria-label={studio.word("tools")}>
           <ToolBar />
         </nav>
@@ -112,7 +107,8 @@ interface AppProps {
 /** The whole page. */
 export function App({ studio, mount }: AppProps) {
   useEffect(() => listenToKeys(studio), [studio]);
-  useEffect(() => followPreferences(studio.preferences), [studio]);
+  // Before the first picture: no flash of the other theme.
+  useLayoutEffect(() => followPreferences(studio.preferences), [studio]);
   return (
     <StudioContext.Provider value={studio}>
       <Shell mount={mount} />

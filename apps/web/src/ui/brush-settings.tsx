@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 import { AdjustIcon } from "./icons";
+import { isNarrow } from "./narrow";
 import { Popover } from "./popover";
 import { evenScale, ratioScale } from "./scales";
 import { Slider } from "./slider";
 import { useStudio } from "./studio-context";
-import { narrowWindow, useMedia } from "./use-media";
-import { Inks } from "./inks";
+import { Swatches, type Swatch } from "./swatches";
+
+/** What a drawing needs: a black, and five that stay apart from each other when the model turns. */
+const inks: readonly Swatch[] = [
+  { colour: "#22242b", name: "ink_black" },
+  { colour: "#7b4a2e", name: "ink_brown" },
+  { colour: "#c8372d", name: "ink_red" },
+  { colour: "#e0a12b", name: "ink_yellow" },
+  { colour: "#4b8b43", name: "ink_green" },
+  { colour: "#2f5fb3", name: "ink_blue" },
+];
 
 /** Of the core: ToolSettings. */
 const brushScale = ratioScale(0.5, 100);
@@ -57,6 +67,20 @@ function Smoothing() {
   );
 }
 
+function Inks() {
+  const studio = useStudio();
+  return (
+    <Swatches
+      label={studio.label("ink_colour")}
+      swatches={inks}
+      chosen={studio.state.value.ink}
+      onChoose={(colour) => {
+        studio.act("ink_colour", colour);
+      }}
+    />
+  );
+}
+
 /** The ink that the brush has. */
 function InkDot() {
   const studio = useStudio();
@@ -65,11 +89,10 @@ function InkDot() {
 
 export function BrushSettings() {
   const studio = useStudio();
-  const isNarrow = useMedia(narrowWindow);
   return (
     <>
       <BrushSize />
-      {isNarrow ? (
+      {isNarrow.value ? (
         <Popover icon={InkDot} label={studio.label("ink_colour")}>
           <Inks />
         </Popover>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { RefObject } from "preact";
-import { useEffect, useRef } from "preact/hooks";
 import type { EngineState } from "../protocol/state";
 import { BrushSettings, BrushSize, EraserSize } from "./brush-settings";
+import { useEdgeHeight } from "./edge-heights";
 import { GapSlider } from "./gap-slider";
 import { HandSettings } from "./hand-settings";
 import { ModelSettings } from "./model-settings";
@@ -58,34 +57,13 @@ function NextStep({ state }: { readonly state: EngineState }) {
   );
 }
 
-/** Tells what floats above the bar how high that is: it takes one row or two. */
-function useFootHeight(): RefObject<HTMLElement> {
-  const bar = useRef<HTMLElement>(null);
-  useEffect(() => {
-    const element = bar.current;
-    if (element === null) return undefined;
-    const tell = () => {
-      const height = window.innerHeight - element.getBoundingClientRect().top;
-      document.documentElement.style.setProperty("--foot", `${height}px`);
-    };
-    const observer = new ResizeObserver(tell);
-    observer.observe(element);
-    window.addEventListener("resize", tell);
-    return () => {
-      observer.disconnect();
-      window.removeEventListener("resize", tell);
-    };
-  }, []);
-  return bar;
-}
-
 /** Only what belongs to the tool, the selection and the moment. */
 export function ContextBar() {
   const studio = useStudio();
   const state = studio.state.value;
   return (
     <section
-      ref={useFootHeight()}
+      ref={useEdgeHeight<HTMLElement>("foot")}
       class="context-bar"
       aria-label={studio.word("tool_settings")}
       data-tip-side="top"

@@ -81,7 +81,7 @@ function rowsOf(studio: Studio): readonly (readonly MenuRow[])[] {
   ];
 }
 
-function MenuItem({ row }: { readonly row: MenuRow }) {
+function MenuItem({ row, isFirst }: { readonly row: MenuRow; readonly isFirst: boolean }) {
   const studio = useStudio();
   const { icon: Picture, label, chord = "", isEnabled = true } = row;
   return (
@@ -90,6 +90,7 @@ function MenuItem({ row }: { readonly row: MenuRow }) {
       class="menu-item"
       role="menuitem"
       data-roving=""
+      data-first-focus={isFirst ? "" : undefined}
       aria-disabled={!isEnabled}
       onClick={() => {
         if (!isEnabled) return;
@@ -148,11 +149,11 @@ export function Menu() {
   return (
     <div class="menu surface-raised" ref={frame}>
       <SaveMark />
-      <div {...roving} role="menu" tabIndex={-1} data-first-focus aria-label={studio.word("menu")}>
+      <div {...roving} role="menu" aria-label={studio.word("menu")}>
         {rowsOf(studio).map((rows, index) => (
           <div key={index} class="menu-group" role="group">
-            {rows.map((row) => (
-              <MenuItem key={row.label} row={row} />
+            {rows.map((row, place) => (
+              <MenuItem key={row.label} row={row} isFirst={index + place === 0} />
             ))}
           </div>
         ))}

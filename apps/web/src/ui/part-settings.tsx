@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-import { ColourSwatches } from "./colour-swatches";
 import { ActionButton } from "./icon-button";
 import {
   AdjustIcon,
@@ -12,13 +11,25 @@ import {
   NearerIcon,
 } from "./icons";
 import { Popover } from "./popover";
-import { Slider, type Scale } from "./slider";
+import { ratioScale } from "./scales";
+import { Slider } from "./slider";
 import { useStudio } from "./studio-context";
-import { stepOf, thicknessAt } from "./thickness-scale";
+import { Swatches, type Swatch } from "./swatches";
 
-const thicknessScale: Scale = { toPosition: stepOf, toValue: thicknessAt };
+/** Skins and clothes of simple characters. */
+const fills: readonly Swatch[] = [
+  { colour: "#f3d9b8", name: "fill_sand" },
+  { colour: "#e98b73", name: "fill_coral" },
+  { colour: "#f2c14e", name: "fill_yellow" },
+  { colour: "#8dbb78", name: "fill_green" },
+  { colour: "#7fb0d6", name: "fill_blue" },
+  { colour: "#b79ad1", name: "fill_violet" },
+];
 
-function Thickness({ value }: { readonly value: number }) {
+/** 1 is as the drawing suggests; the core takes 0.1 to 32. */
+const thicknessScale = ratioScale(0.1, 10);
+
+export function Thickness({ value }: { readonly value: number }) {
   const studio = useStudio();
   return (
     <Slider
@@ -28,6 +39,20 @@ function Thickness({ value }: { readonly value: number }) {
       text={(thickness) => studio.word("times", thickness)}
       onInput={(thickness) => {
         studio.act("thickness", String(thickness));
+      }}
+    />
+  );
+}
+
+export function Fill({ colour }: { readonly colour: string | null }) {
+  const studio = useStudio();
+  return (
+    <Swatches
+      label={studio.label("fill")}
+      swatches={fills}
+      chosen={colour}
+      onChoose={(next) => {
+        studio.act("fill", next);
       }}
     />
   );
@@ -47,12 +72,7 @@ export function PartSettings() {
       <ActionButton icon={FartherIcon} action="depth_farther" />
       <Popover icon={AdjustIcon} label={studio.word("thickness_and_colour")}>
         <Thickness value={first.thickness} />
-        <ColourSwatches
-          colour={first.fill}
-          onColour={(colour) => {
-            studio.act("fill", colour ?? "none");
-          }}
-        />
+        <Fill colour={first.fill} />
       </Popover>
       <ActionButton icon={EditLinesIcon} action={first.isOpen ? "close_part" : "open_part"} />
       <ActionButton icon={DeleteIcon} action="delete" tone="danger" />

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ActionName } from "../protocol/actions.generated";
 import type { Panel } from "../studio/studio";
+import { useEdgeHeight } from "./edge-heights";
 import { IconButton } from "./icon-button";
 import { ExportIcon, HelpIcon, MenuIcon, PartsIcon, RedoIcon, UndoIcon, type Icon } from "./icons";
 import { ModeSwitch } from "./mode-switch";
@@ -79,7 +80,7 @@ function PartsButton() {
 export function TopBar() {
   const studio = useStudio();
   return (
-    <>
+    <header class="top-bar" ref={useEdgeHeight<HTMLElement>("head")}>
       <div class="top-start">
         <div class="top-piece surface">
           <PanelButton panel="menu" icon={MenuIcon} label={studio.word("menu")} />
@@ -103,6 +104,6 @@ export function TopBar() {
         </div>
         <PartsButton />
       </div>
-    </>
+    </header>
   );
 }
