@@ -5,10 +5,10 @@ import { readdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { seededRandom } from "../harness/random.mjs";
 import { test } from "../harness/tests.mjs";
-import { drawSome, strokesIn, times } from "./drawing.mjs";
+import { drawSome, openAgain, strokesIn, times } from "./drawing.mjs";
 import { OwnBrowser } from "./own-browser.mjs";
 
-const flips = times(30, 1000);
+const flips = times(20, 1000);
 const starts = times(2, 50);
 
 const sittings = [4, 5, 6];
@@ -66,8 +66,9 @@ test(
   `the studio goes on after each of ${flips} damaged bytes`,
   { timeoutS: 90 + 6 * flips },
   async ({ studio, page }) => {
+    await studio.open();
     for (const [sitting, count] of sittings.entries()) {
-      await studio.open();
+      await openAgain(studio);
       await drawSome(page, 1 + sitting, count);
       await studio.saved();
     }

@@ -43,6 +43,12 @@ async function drawOn({ seed, most }) {
   }
 }
 
+/** Loads the page again: the address stays, so that going there would do nothing. */
+export async function openAgain(studio) {
+  await studio.page.reload();
+  await studio.until("the studio is ready again", (state) => !state.isStarting);
+}
+
 /** What a page has told so far. */
 export function watchDrawing(page) {
   const told = { finishedMs: [], saved: 0 };

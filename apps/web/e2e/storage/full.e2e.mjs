@@ -2,7 +2,7 @@
 // A device without room, and a browser that lets nothing be stored: it is told, and the drawing goes on.
 import assert from "node:assert/strict";
 import { test } from "../harness/tests.mjs";
-import { drawSome, strokesIn } from "./drawing.mjs";
+import { drawSome, openAgain, strokesIn } from "./drawing.mjs";
 
 const quotaBytes = 5e6;
 const warningMs = 1000;
@@ -72,7 +72,7 @@ test(
     await page.evaluate(emptyAgain);
     await drawSome(page, 5, 2);
     await studio.saved();
-    await studio.open();
+    await openAgain(studio);
     assert.equal(await strokesIn(page), 10);
   },
 );

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { StudioPage } from "../harness/studio-page.mjs";
 import { test } from "../harness/tests.mjs";
-import { drawSome, strokesIn } from "./drawing.mjs";
+import { drawSome, openAgain, strokesIn } from "./drawing.mjs";
 
 async function opened(page, origin) {
   const studio = new StudioPage(page, origin);
@@ -19,7 +19,7 @@ test("two tabs at once do not harm each other", {}, async ({ context, page, orig
   await Promise.all([drawSome(page, 2, 6), drawSome(other.page, 3, 8)]);
   await one.saved();
   await other.saved();
-  for (const studio of [one, other]) await studio.open();
+  for (const studio of [one, other]) await openAgain(studio);
   assert.equal(await strokesIn(page), 9);
   assert.equal(await strokesIn(other.page), 8);
 });
@@ -36,7 +36,7 @@ test("a tab that is doubled begins a drawing of its own", {}, async ({ context, 
   assert.equal(await strokesIn(double.page), 0);
   await drawSome(double.page, 2, 2);
   await double.saved();
-  await one.open();
+  await openAgain(one);
   assert.equal(await strokesIn(page), 3);
 });
 

@@ -148,3 +148,17 @@ describe("a new generation", () => {
     expect(await reopened(browser, id)).toEqual(["again and on ", "again ", "start "]);
   });
 });
+
+describe("a long sitting", () => {
+  it("leaves copies, so that no damaged line costs more than half of it", async () => {
+    const browser = new FakeBrowser();
+    const [tab, id] = await drawing(browser);
+    for (let count = 0; count < 100; ++count) tab.store.append(bytesOf("line "));
+    await untilTold(tab);
+    tab.close();
+    const found = await reopened(browser, id);
+    expect(found[0]).toBe(`start ${"line ".repeat(100)}`);
+    expect(found.length).toBeGreaterThan(1);
+    expect(found[1]?.length).toBeGreaterThan((found[0]?.length ?? 0) / 4);
+  });
+});

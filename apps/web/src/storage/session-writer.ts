@@ -10,6 +10,9 @@ const retryMs = 5000;
 /** What goes wrong more often than this in one write will go wrong again. */
 const mostAttempts = 4;
 
+/** More lines than this since the last copy of the whole, and as many bytes as it had, ask for another. */
+const mostLines = 32;
+
 interface Piece {
   readonly generation: number;
   readonly bytes: Uint8Array;
@@ -47,6 +50,8 @@ function isQuota(error: unknown): boolean {
 export class SessionWriter {
   private queue: Piece[] = [];
   private whole: Uint8Array[] = [];
+  /** Since its first piece. */
+  private addedBytes = 0;
   private newest = -1;
   /** The last generation that is in the database. */
   private stored = { generation: -1, lines: 0 };
@@ -81,12 +86,13 @@ export class SessionWriter {
 
   append(bytes: Uint8Array): void {
     if (bytes.byteLength === 0) return;
-    if (this.mustBeginAnew) {
+    if (this.mustBeginAnew || this.isCopyDue()) {
       this.begin(joinBytes([...this.whole, bytes]));
       return;
     }
     const own = joinBytes([bytes]);
     this.whole.push(own);
+    this.addedBytes += own.byteLength;
     this.put({ generation: this.newest, bytes: own });
   }
 
@@ -120,11 +126,18 @@ export class SessionWriter {
     }
   }
 
+  /** Now and then the whole is written again, as a generation of its own: then no damaged line can cost all that was drawn. */
+  private isCopyDue(): boolean {
+    const firstBytes = this.whole[0]?.byteLength ?? 0;
+    return this.whole.length > mostLines && this.addedBytes > firstBytes;
+  }
+
   private begin(bytes: Uint8Array): void {
     this.mustBeginAnew = false;
     this.fresh = null;
     this.newest += 1;
     this.whole = [bytes];
+    this.addedBytes = 0;
     this.put({ generation: this.newest, bytes });
   }
 
@@ -208,6 +221,7 @@ export class SessionWriter {
   private queueWhole(): void {
     const bytes = joinBytes(this.whole);
     this.whole = [bytes];
+    this.addedBytes = 0;
     this.queue = [{ generation: this.newest, bytes }];
     this.stored = { generation: -1, lines: 0 };
     this.isDescriptionDue = this.description !== null;
