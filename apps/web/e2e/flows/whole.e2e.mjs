@@ -89,7 +89,7 @@ test("repair: the gap slider bridges a gap that stays open", {}, async (world) =
   const { place } = await characterOn(studio);
   const bow = [];
   for (let angle = 0.5; angle < 2 * Math.PI - 0.5; angle += 0.1) {
-    bow.push(place([500 + 220 * Math.cos(angle), 400 + 220 * Math.sin(angle)]));
+    bow.push(place([500 - 220 * Math.cos(angle), 400 + 220 * Math.sin(angle)]));
   }
   await mouse.stroke(bow);
   await studio.until("loose strokes", (state) => state.hasRoughStrokes);

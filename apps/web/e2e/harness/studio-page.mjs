@@ -2,6 +2,7 @@
 // One open studio as a test sees it. What a person can see is read from the page; the rest through `inkflateStudio`, which the page
 // lays open when its address ends with #test.
 import assert from "node:assert/strict";
+import { setTimeout as sleep } from "node:timers/promises";
 
 /** How long a person would wait before giving up; machines that build beside the tests are slow. */
 const patienceMs = 30000;
@@ -43,7 +44,7 @@ export class StudioPage {
     do {
       state = await this.state();
       if (state !== null && holds(state)) return state;
-      await this.page.waitForTimeout(20);
+      await sleep(60);
     } while (Date.now() < end);
     return assert.fail(`never: ${what}; at the end ${JSON.stringify(state)}`);
   }
