@@ -10,12 +10,25 @@ import { OwnBrowser } from "./own-browser.mjs";
 const longestDrawingMs = 2500;
 const crashes = times(5, 50);
 
+/** Runs in the page: waits until the browser has taken back what the tab that died has held. A person takes longer. */
+async function untilLocksAreFree() {
+  while ((await globalThis.navigator.locks.query()).held.length > 0) {
+    await new Promise((resolve) => setTimeout(resolve, 10));
+  }
+}
+
 async function crash(page) {
-  const cdp = await page.context().newCDPSession(page);
+  const { origin } = new URL(page.url());
+  const context = page.context();
+  const cdp = await context.newCDPSession(page);
   const end = page.waitForEvent("crash");
   cdp.send("Page.crash").catch(() => null);
   await end;
   await page.close();
+  const witness = await context.newPage();
+  await witness.goto(`${origin}/manifest.webmanifest`);
+  await witness.evaluate(untilLocksAreFree);
+  await witness.close();
 }
 
 /**
