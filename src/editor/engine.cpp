@@ -82,7 +82,8 @@ void take(EditorTurn& turn, ResizeEvent const& event) {
   bool const is_size = event.width_px >= 1 && event.height_px >= 1 &&
                        event.width_px <= kLargestViewPx && event.height_px <= kLargestViewPx;
   if (!is_size) return;
-  turn.state.view.size = {event.width_px, event.height_px};
+  bool const has_bars = event.bars_px >= 0 && event.bars_px <= event.height_px;
+  turn.state.view.size = {event.width_px, event.height_px, has_bars ? event.bars_px : 0};
   turn.changes.is_scene_changed = true;
 }
 

@@ -90,6 +90,8 @@ struct FileEvent {
 struct ResizeEvent {
   double width_px = 0;
   double height_px = 0;
+  double bars_px =
+      0;  // of the height, that bars of the studio lie over: half of it above, half below
 };
 
 using Event = std::variant<PointerEvent, KeyEvent, WheelEvent, GestureEvent, ActionEvent, FileEvent,

@@ -40,6 +40,10 @@ double clamped_zoom(double zoom) {
 
 }  // namespace
 
+double free_height_px(ViewSize const& size) {
+  return std::max(size.height_px - size.bars_px, size.height_px / 2);
+}
+
 Affine canvas_to_screen(Camera const& camera, ViewSize const& size) {
   double const scale_x = camera.is_mirrored ? -camera.zoom : camera.zoom;
   auto const half = half_of(size);
@@ -76,7 +80,7 @@ Camera fitted(Camera const& camera, ViewSize const& size, Rect const& box) {
   if (box.longer_side() > 0) {
     next.zoom =
         clamped_zoom(kFittedShare * std::min(size.width_px / std::max(box.width(), 1e-9),
-                                             size.height_px / std::max(box.height(), 1e-9)));
+                                             free_height_px(size) / std::max(box.height(), 1e-9)));
   }
   return centred_at(next, box.centre());
 }

@@ -26,9 +26,14 @@ struct Camera {
 struct ViewSize {
   double width_px = 1000;
   double height_px = 1000;
+  double bars_px =
+      0;  // of the height, that bars lie over: half of it above, half below; 0 .. height_px
 
   friend bool operator==(ViewSize const&, ViewSize const&) = default;
 };
+
+/// The height between the bars, where what is fitted into the view goes; at least half of it, however low the window is.
+double free_height_px(ViewSize const& size);
 
 /// Of all that follows: camera, model view and size are finite; a stretch, place, factor or box that is not, or that means
 /// nothing, changes nothing.

@@ -106,6 +106,16 @@ TEST(Camera, FittedBoxFillsTheViewButForAMargin) {
   }
 }
 
+TEST(Camera, FittedBoxStaysFreeOfTheBars) {
+  Rect const tall = {{0, 0}, {10, 100}};
+  ViewSize const size = {1000, 500, 100};
+  auto const camera = fitted({}, size, tall);
+  EXPECT_LT(camera.zoom * tall.height(), 400);
+  EXPECT_EQ(camera.centre, tall.centre());
+  // A window that is all bars still shows something.
+  EXPECT_EQ(free_height_px({1000, 100, 90}), 50);
+}
+
 TEST(Camera, FittedPlaceComesToTheMiddleAtTheSameZoom) {
   Camera const camera = {{1, 2}, 3, false};
   EXPECT_EQ(fitted(camera, kSize, {{7, 8}, {7, 8}}), (Camera{{7, 8}, 3, false}));

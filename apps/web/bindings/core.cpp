@@ -154,8 +154,9 @@ EMSCRIPTEN_KEEPALIVE void engine_file(Core* core, std::byte const* bytes, std::s
                                       char const* name, std::size_t name_bytes, FileUse use) {
   core->handle(FileEvent{{bytes, bytes + count}, text_at(name, name_bytes), use});
 }
-EMSCRIPTEN_KEEPALIVE void engine_resize(Core* core, double width_px, double height_px) {
-  core->handle(ResizeEvent{width_px, height_px});
+EMSCRIPTEN_KEEPALIVE void engine_resize(Core* core, double width_px, double height_px,
+                                        double bars_px) {
+  core->handle(ResizeEvent{width_px, height_px, bars_px});
 }
 
 EMSCRIPTEN_KEEPALIVE bool engine_has_work(Core const* core) { return core->has_work(); }

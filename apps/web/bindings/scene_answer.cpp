@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "web/bindings/scene_answer.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "render/model_placement.h"
@@ -12,17 +11,6 @@
 namespace inkflate::web {
 namespace {
 
-// What surrounds the drawing lies over its upper and lower edge, px.
-constexpr double kTopChromePx = 64;
-constexpr double kBottomChromePx = 84;
-// However low the window is, half of it is the model's.
-constexpr double kMostChrome = 0.5;
-
-/// The height that a model is fitted into, in the middle between the bars. Zooming goes on over the whole window.
-double free_height(double height_px) {
-  return std::max(height_px - kTopChromePx - kBottomChromePx, kMostChrome * height_px);
-}
-
 Json shadow_json(Rect const& box, ViewSize const& size) {
   if (box.is_empty()) return {{"x", 0}, {"y", 0}, {"rx", 0}, {"ry", 0}};
   auto const [centre, half_axes_px] = shadow_ellipse(box, size.width_px, size.height_px);
@@ -30,8 +18,11 @@ Json shadow_json(Rect const& box, ViewSize const& size) {
 }
 
 Json placed_model_json(ModelScene const& model, Scene const& scene) {
-  auto const [width_px, height_px] = scene.size;
-  auto const placement = model_placement(*model.model, model.view, width_px, free_height(height_px));
+  double const width_px = scene.size.width_px;
+  double const height_px = scene.size.height_px;
+  // Zooming goes on over the bars.
+  auto const placement =
+      model_placement(*model.model, model.view, width_px, free_height_px(scene.size));
   return {{"id", model.id},
           {"toView", to_view(placement, width_px, height_px)},
           {"onPaper", onto_paper(*model.model, scene.canvas_to_screen)},

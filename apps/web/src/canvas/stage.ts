@@ -22,6 +22,9 @@ export interface StageOptions {
   readonly isApple: boolean;
 }
 
+/** What is fitted into the window leaves the bars above and below it free, px. */
+const barsPx = 148;
+
 /** So long after the last change the paper is at rest, ms. */
 const restMs = 120;
 
@@ -163,7 +166,7 @@ export class Stage {
   private sendSize(): void {
     const { width, height } = this.size;
     if (width < 1 || height < 1) return;
-    this.lastResize = this.options.send({ type: "resize", width, height });
+    this.lastResize = this.options.send({ type: "resize", width, height, bars: barsPx });
   }
 
   private requestPaint(): void {

@@ -88,6 +88,8 @@ export interface ResizeInput {
   /** CSS px. */
   readonly width: number;
   readonly height: number;
+  /** Of the height, that bars lie over: half of it above, half below. */
+  readonly bars: number;
 }
 
 export type CoreEvent =

@@ -29,7 +29,7 @@ function clientWithWorkers() {
     language: () => "en",
     onMessage: (message) => heard.push(message),
     onStart: () => {
-      client.send({ type: "resize", width: 10, height: 20 });
+      client.send({ type: "resize", width: 10, height: 20, bars: 0 });
     },
     onHopeless: (why) => hopeless.push(why),
     nowMs: () => now,

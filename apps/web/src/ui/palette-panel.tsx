@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { JSX } from "preact";
+import type { TargetedKeyboardEvent } from "preact";
 import { useId, useLayoutEffect, useRef, useState } from "preact/hooks";
 import "../styles/palette-panel.css";
 import { choiceLabel } from "./choice-words";
@@ -107,7 +107,7 @@ export function PalettePanel() {
     if (entry.asksFor === null) run(entry, entry.choice ?? "");
     else setAsked(entry);
   };
-  const onKeyDown = (event: JSX.TargetedKeyboardEvent<HTMLInputElement>) => {
+  const onKeyDown = (event: TargetedKeyboardEvent<HTMLInputElement>) => {
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     if (step !== undefined && found.length > 0) {
       setActive((active + step + found.length) % found.length);

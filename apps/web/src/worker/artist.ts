@@ -28,7 +28,7 @@ export class Artist {
     });
     const artist = new Artist(engine);
     told.to = artist;
-    engine.handle({ type: "resize", width: viewSidePx, height: viewSidePx });
+    engine.handle({ type: "resize", width: viewSidePx, height: viewSidePx, bars: 0 });
     return artist;
   }
 

@@ -67,7 +67,7 @@ declare module "#core" {
       nameBytes: number,
       use: number,
     ): void;
-    _engine_resize(engine: Address, width: number, height: number): void;
+    _engine_resize(engine: Address, width: number, height: number, bars: number): void;
 
     _engine_has_work(engine: Address): number;
     _engine_work(engine: Address): void;

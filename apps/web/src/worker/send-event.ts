@@ -70,6 +70,6 @@ export function sendEvent(
       });
       return;
     case "resize":
-      core._engine_resize(engine, event.width, event.height);
+      core._engine_resize(engine, event.width, event.height, event.bars);
   }
 }
