@@ -91,14 +91,15 @@ class Pointer {
   }
 }
 
+/** What fingers do together counts by its time; so it is told with the events, however slow the machine is. */
 class Fingers {
   constructor(cdp) {
     this.cdp = cdp;
   }
 
-  send(type, points) {
+  send(type, points, timestamp = Date.now() / 1000) {
     const touchPoints = points.map(([x, y], id) => ({ x, y, id, radiusX: 8, radiusY: 8 }));
-    return this.cdp.send("Input.dispatchTouchEvent", { type, touchPoints });
+    return this.cdp.send("Input.dispatchTouchEvent", { type, touchPoints, timestamp });
   }
 
   async stroke(points) {
@@ -113,20 +114,20 @@ class Fingers {
 
   /** Two fingers from their places to others. */
   async pinch([a, b], [toA, toB], steps = 12) {
-    await this.send("touchStart", [a]);
-    await this.send("touchStart", [a, b]);
+    const start = Date.now() / 1000;
+    await this.send("touchStart", [a, b], start);
     for (let k = 1; k <= steps; ++k) {
-      await this.send("touchMove", [inBetween(a, toA, k / steps), inBetween(b, toB, k / steps)]);
+      const places = [inBetween(a, toA, k / steps), inBetween(b, toB, k / steps)];
+      await this.send("touchMove", places, start + 0.03 * k);
     }
-    await this.send("touchEnd", []);
+    await this.send("touchEnd", [], start + 0.03 * (steps + 1));
   }
 
   /** One tap of as many fingers as there are points. */
   async tap(...points) {
-    for (let count = 1; count <= points.length; ++count) {
-      await this.send("touchStart", points.slice(0, count));
-    }
-    await this.send("touchEnd", []);
+    const start = Date.now() / 1000;
+    await this.send("touchStart", points, start);
+    await this.send("touchEnd", [], start + 0.08);
   }
 }
 

@@ -30,7 +30,8 @@ export function roughLoop(centre, radii, seed, { pieces = 3, gap = 0.06, wobble 
   const random = seededRandom(seed);
   const strokes = [];
   const turn = (2 * Math.PI) / pieces;
-  const start = random() * turn;
+  // At the top: there the empty paper has nothing that could be pressed instead.
+  const start = -Math.PI / 2;
   for (let piece = 0; piece < pieces; ++piece) {
     const from = start + piece * turn + (gap * turn) / 2;
     const to = from + turn * (1 - gap);
