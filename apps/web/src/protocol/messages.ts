@@ -101,6 +101,8 @@ export type FromWorker =
       readonly sessions: readonly SessionRow[];
       /** The person may have meant one of them. */
       readonly areOthersOffered: boolean;
+      /** The drawing could not be brought back whole. */
+      readonly isSomethingGone: boolean;
     }
   | Frame
   /** share: 0 .. 1; null: over. Sent from the midst of long work. */

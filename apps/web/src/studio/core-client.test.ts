@@ -41,6 +41,7 @@ function clientWithWorkers() {
     actions: [],
     sessions: [],
     areOthersOffered: false,
+    isSomethingGone: false,
   });
   return { client, workers, heard, hopeless, settled, ready, later: (ms: number) => (now += ms) };
 }

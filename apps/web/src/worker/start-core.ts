@@ -21,27 +21,40 @@ function sessionToOpen(startWith: StartWith, sessions: readonly SessionRow[]): S
 }
 
 /**
- * Brings back what the newest journal gives that gives anything. One that is torn is followed as far as it goes, since all that is
- * older knows less.
+ * Brings back what the first of the journals gives that gives anything; they come in the order of what they know. Returns whether
+ * something of it is gone.
  */
-function recover(engine: CoreEngine, worker: CoreWorker, opened: OpenedSession): void {
-  const newest = opened.generations[0];
+function recover(engine: CoreEngine, worker: CoreWorker, opened: OpenedSession): boolean {
   for (const generation of opened.generations) {
     engine.recover(generation.bytes);
     const changes = engine.takeChanges();
     const isUsable = changes.isRecoveredWhole || !engine.state().isBlank;
     if (!isUsable && generation !== opened.generations.at(-1)) continue;
     // The journal on disk goes on as it is when every byte of it counted.
-    const goesOn = changes.isRecoveredWhole && generation === newest;
-    const messages = goesOn && engine.state().isBlank ? [] : changes.messages;
+    const goesOn = changes.isRecoveredWhole && generation === opened.generations[0];
+    const isNothingToTell = engine.state().isBlank || generation.isTorn;
     worker.collect({
       ...changes,
-      messages,
+      messages: goesOn && isNothingToTell ? [] : changes.messages,
       journal: goesOn ? new Uint8Array() : changes.journal,
       isJournalNew: changes.isJournalNew && !goesOn,
     });
-    return;
+    return generation.isTorn || generation !== opened.generations[0];
   }
+  return false;
+}
+
+/** A tab that has just died may hold its drawing for a moment. */
+const dyingTabMs = 300;
+
+async function freeSessions(store: JournalStore): Promise<SessionRow[]> {
+  const sessions = await store.list();
+  const locks = navigator.locks as LockManager | undefined;
+  if (sessions.length > 0 || locks === undefined) return sessions;
+  const { held } = await locks.query();
+  if (held === undefined || held.length === 0) return sessions;
+  await new Promise((resolve) => setTimeout(resolve, dyingTabMs));
+  return store.list();
 }
 
 /** Loads the core, takes a drawing up again, and is ready for events. */
@@ -53,20 +66,21 @@ export async function startCore(start: Start, post: Post): Promise<CoreWorker> {
   store.onState = (state) => {
     post({ kind: "save_state", state });
   };
-  const sessions = await store.list();
+  const sessions = await freeSessions(store);
   const choice = sessionToOpen(start.startWith, sessions);
   const opened = await store.open(choice.session);
   const engine = await loading;
   engine.handle({ type: "action", name: "language", argument: start.language });
   const worker = new CoreWorker(engine, store, post);
   worker.collect(engine.takeChanges());
-  recover(engine, worker, opened);
+  const isSomethingGone = recover(engine, worker, opened);
   post({
     kind: "ready",
     session: opened.id,
     actions: engine.actions(),
     sessions: sessions.filter((session) => session.id !== opened.id),
     areOthersOffered: choice.isPanelOffered,
+    isSomethingGone,
   });
   return worker;
 }
