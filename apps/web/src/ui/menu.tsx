@@ -141,13 +141,13 @@ function LanguageItems() {
 export function Menu() {
   const studio = useStudio();
   const roving = useRoving<HTMLDivElement>("vertical");
-  const frame = useRef<HTMLDivElement>(null);
+  const frame = useRef<HTMLElement>(null);
   useDismissal(frame, () => {
     studio.panel.value = null;
   });
   useBorrowedFocus(frame);
   return (
-    <div class="menu surface-raised" ref={frame}>
+    <nav class="menu surface-raised" ref={frame} aria-label={studio.word("menu")}>
       <SaveMark />
       <div {...roving} role="menu" aria-label={studio.word("menu")}>
         {rowsOf(studio).map((rows, index) => (
@@ -159,6 +159,6 @@ export function Menu() {
         ))}
         <LanguageItems />
       </div>
-    </div>
+    </nav>
   );
 }
