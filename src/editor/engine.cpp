@@ -18,12 +18,8 @@ void take_routed(EditorTurn& turn, Routed const& routed) {
   auto& [state, changes, progress, argument] = turn;
   if (auto const* const to_tool = std::get_if<ToTool>(&routed)) return run_tool(turn, *to_tool);
   if (auto const* const to_camera = std::get_if<ToCamera>(&routed)) {
-<<<<<<< HEAD
     // The zoom is shown around the canvas; where the paper lies is not.
     changes.is_state_changed |= state.view.camera.zoom != to_camera->camera.zoom;
-=======
-    changes.is_state_changed |= to_camera->camera.zoom != state.view.camera.zoom;
->>>>>>> e2e
     state.view.camera = to_camera->camera;
   } else if (auto const* const to_model = std::get_if<ToModel>(&routed)) {
     state.view.model = to_model->model;
