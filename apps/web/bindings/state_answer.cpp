@@ -12,11 +12,11 @@ namespace {
 
 /// "#rrggbb"
 std::string hex(Colour colour) {
-  static constexpr std::string_view kDigits = "0123456789abcdef";
+  static constexpr std::string_view digits = "0123456789abcdef";
   std::string text = "#";
   for (unsigned const byte : {colour.r, colour.g, colour.b}) {
-    text += kDigits[byte >> 4U];
-    text += kDigits[byte & 15U];
+    text += digits[byte >> 4U];
+    text += digits[byte & 15U];
   }
   return text;
 }

@@ -40,8 +40,8 @@ void put_places(std::vector<std::array<Vec2, 3>> const& corners, Bytes& bytes) {
 }  // namespace
 
 Json mesh_json(RestModel const& model, Texture const* texture, BlobWriter& blobs) {
-  static Texture const kNone;
-  auto const& worn = texture ? *texture : kNone;
+  static Texture const none;
+  auto const& worn = texture ? *texture : none;
   auto const& triangles = model.mesh.triangles;
   return {
       {"positions",

@@ -2,6 +2,7 @@
 import type { AffineNumbers, ChunkUpdate, SceneUpdate } from "../protocol/scene";
 import { PaintedChunk } from "./painted-chunk";
 import { unmoved } from "./places";
+import { Patch } from "./patch";
 import { Sheet } from "./sheet";
 import { splitChunks } from "./split-chunks";
 
@@ -17,9 +18,10 @@ interface KeptChunk {
  * and the top, where something changes from frame to frame.
  */
 export class Painter {
-  private readonly ground = new Sheet();
-  private readonly middle = new Sheet();
-  private readonly top = new Sheet();
+  private readonly patch = new Patch();
+  private readonly ground = new Sheet(this.patch);
+  private readonly middle = new Sheet(this.patch);
+  private readonly top = new Sheet(this.patch);
   private readonly kept = new Map<number, KeptChunk>();
   private order: readonly number[] = [];
   private shown = new Set<number>();

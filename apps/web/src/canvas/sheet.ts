@@ -21,6 +21,7 @@ import {
   unmoved,
   type Box,
 } from "./places";
+import type { Patch } from "./patch";
 import { sheetChanges } from "./sheet-changes";
 
 /** From here on all is painted anew: it costs no more than the rest would. */
@@ -50,7 +51,8 @@ export class Sheet {
   /** For how many frames it has been stretched instead of being painted. */
   private stretchedFrames = 0;
 
-  constructor() {
+  /** patch: shared by sheets that are painted one after another. */
+  constructor(private readonly patch: Patch) {
     const context = this.canvas.getContext("2d");
     if (context === null) throw new Error("this browser has no canvas to draw on");
     this.context = context;
@@ -164,16 +166,17 @@ export class Sheet {
     context.globalCompositeOperation = "source-over";
   }
 
+  /**
+   * By way of another bitmap and not within a clip: Chromium on a GPU forgets all else that was painted when a frame's last lines lie
+   * within one.
+   */
   private repaint(chunks: readonly PaintedChunk[], box: Box): void {
-    const { context } = this;
-    context.save();
-    context.resetTransform();
-    context.beginPath();
-    context.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
-    context.clip();
+    const width = box.right - box.left;
+    const height = box.bottom - box.top;
+    const patch = this.patch.blank(width, height);
+    this.paint(chunks, box, patch, [1, 0, 0, 1, -box.left, -box.top]);
     this.clear(box);
-    this.paint(chunks, box);
-    context.restore();
+    this.context.drawImage(patch.canvas, 0, 0, width, height, box.left, box.top, width, height);
   }
 
   private clear(box: Box): void {
@@ -181,15 +184,19 @@ export class Sheet {
     this.context.clearRect(box.left, box.top, box.right - box.left, box.bottom - box.top);
   }
 
-  /** window: device px. */
-  private paint(chunks: readonly PaintedChunk[], window: Box): void {
-    const context: Context = this.context;
+  /** window: device px of the sheet. onto: from there to the context. */
+  private paint(
+    chunks: readonly PaintedChunk[],
+    window: Box,
+    context: Context = this.context,
+    onto: AffineNumbers = unmoved,
+  ): void {
     context.lineCap = "round";
     context.lineJoin = "round";
     const seen = grown(window, softEdgePx);
     for (const chunk of chunks) {
       const map = this.mapOf(chunk);
-      context.setTransform(...map);
+      context.setTransform(...composed(onto, map));
       chunk.paint(context, meanScale(map) / this.placing.pixelRatio, unmapped(seen, map));
     }
   }
