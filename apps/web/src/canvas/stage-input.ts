@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { GestureInput, KeyInput, PointerInput, WheelInput } from "../protocol/events";
+import type { GestureInput, PointerInput, WheelInput } from "../protocol/events";
 import { PointerInputs, type Corner } from "./pointer-inputs";
 import { GestureInputs, wheelInput, type WebKitGesture } from "./wheel-inputs";
 
@@ -9,7 +9,7 @@ export interface StageInputListener {
   predicted(inputs: readonly PointerInput[]): void;
   /** The pointer has left the view. */
   left(): void;
-  other(event: WheelInput | GestureInput | KeyInput): void;
+  other(event: WheelInput | GestureInput): void;
   spaceHeld(isHeld: boolean): void;
   /** Keys and buttons elsewhere that may end what a pointer is doing. */
   interrupted(): void;
@@ -183,17 +183,7 @@ export class StageInput {
   private leave(timeS: number): void {
     for (const input of this.pointers.cancelAll(timeS)) this.listener.pointer(input);
     this.listener.left();
-    if (!this.isSpaceHeld) return;
     this.holdSpace(false);
-    const modifiers = { isShift: false, isCtrl: false, isAlt: false };
-    this.listener.other({
-      type: "key",
-      key: space,
-      isPress: false,
-      isRepeat: false,
-      timeS,
-      modifiers,
-    });
   }
 }
 

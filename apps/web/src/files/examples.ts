@@ -52,7 +52,7 @@ export async function openExample(studio: Studio, example: Example): Promise<voi
   }
 }
 
-/** Those that the empty paper offers. */
+/** Those that the empty paper offers: rough ones, so that the first key pressed is the one that closes them. */
 export function startExamples(
   studio: Studio,
 ): readonly { readonly name: string; readonly picture: string; readonly open: () => void }[] {

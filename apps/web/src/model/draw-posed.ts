@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { GpuModel } from "./gpu-model";
-import { STANDING } from "./pose";
+import { standing } from "./pose";
 import type { PartPose, Pose } from "./pose";
 import type { Program } from "./program";
 
@@ -25,7 +25,7 @@ export function drawPosed(
       setPart(program, parts(part));
     });
   } else {
-    setPart(program, STANDING);
+    setPart(program, standing);
     model.draw();
   }
 }

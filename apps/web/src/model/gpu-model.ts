@@ -7,7 +7,7 @@ import { partRanges } from "./part-ranges";
 import type { PartRange } from "./part-ranges";
 
 /** Locations in model.vert.glsl. */
-const ATTRIBUTES = [
+const attributes = [
   { location: 0, size: 3, key: "positions" },
   { location: 1, size: 3, key: "normals" },
   { location: 2, size: 2, key: "places" },
@@ -20,51 +20,51 @@ export class GpuModel {
   readonly ranges: readonly PartRange[];
   readonly texture: WebGLTexture;
   readonly isWorn: boolean;
-  readonly #gl: WebGL2RenderingContext;
-  readonly #corners: WebGLVertexArrayObject;
-  readonly #buffers: WebGLBuffer[] = [];
-  readonly #cornerCount: number;
+  private readonly gl: WebGL2RenderingContext;
+  private readonly corners: WebGLVertexArrayObject;
+  private readonly buffers: WebGLBuffer[] = [];
+  private readonly cornerCount: number;
 
   constructor(gl: WebGL2RenderingContext, mesh: ModelMesh) {
-    this.#gl = gl;
-    this.#cornerCount = mesh.positions.length / 3;
+    this.gl = gl;
+    this.cornerCount = mesh.positions.length / 3;
     this.extent = extentOf(mesh.positions);
     this.partCount = Math.max(mesh.layerCount, 1);
     this.ranges = partRanges(mesh.layers);
     this.isWorn = isWorn(mesh);
     this.texture = wornTexture(gl, mesh);
-    this.#corners = gl.createVertexArray();
-    gl.bindVertexArray(this.#corners);
-    for (const { location, size, key } of ATTRIBUTES) this.#upload(location, size, mesh[key]);
+    this.corners = gl.createVertexArray();
+    gl.bindVertexArray(this.corners);
+    for (const { location, size, key } of attributes) this.upload(location, size, mesh[key]);
     gl.bindVertexArray(null);
   }
 
   /** All parts at once. */
   draw(): void {
-    this.#gl.bindVertexArray(this.#corners);
-    this.#gl.drawArrays(this.#gl.TRIANGLES, 0, this.#cornerCount);
+    this.gl.bindVertexArray(this.corners);
+    this.gl.drawArrays(this.gl.TRIANGLES, 0, this.cornerCount);
   }
 
   /** Part by part; `prepare` sets what differs between them. */
   drawParts(prepare: (part: number) => void): void {
-    this.#gl.bindVertexArray(this.#corners);
+    this.gl.bindVertexArray(this.corners);
     for (const { part, first, count } of this.ranges) {
       prepare(part);
-      this.#gl.drawArrays(this.#gl.TRIANGLES, first, count);
+      this.gl.drawArrays(this.gl.TRIANGLES, first, count);
     }
   }
 
   dispose(): void {
-    for (const buffer of this.#buffers) this.#gl.deleteBuffer(buffer);
-    this.#gl.deleteVertexArray(this.#corners);
-    this.#gl.deleteTexture(this.texture);
+    for (const buffer of this.buffers) this.gl.deleteBuffer(buffer);
+    this.gl.deleteVertexArray(this.corners);
+    this.gl.deleteTexture(this.texture);
   }
 
-  #upload(location: number, size: number, values: Float32Array): void {
+  private upload(location: number, size: number, values: Float32Array): void {
     if (values.length === 0) return;
-    const gl = this.#gl;
+    const gl = this.gl;
     const buffer = gl.createBuffer();
-    this.#buffers.push(buffer);
+    this.buffers.push(buffer);
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
     gl.enableVertexAttribArray(location);

@@ -2,8 +2,8 @@
 import type { ModelMesh } from "../protocol/scene";
 
 /** The core leaves 8 texels around each rectangle of a texture: smaller copies than an eighth would mix neighbours. */
-const SMALLEST_LEVEL = 3;
-const MOST_ANISOTROPY = 8;
+const smallestLevel = 3;
+const mostAnisotropy = 8;
 
 interface Pixels {
   readonly width: number;
@@ -12,7 +12,7 @@ interface Pixels {
   readonly bytes: Uint8Array;
 }
 
-const WHITE: Pixels = { width: 1, height: 1, bytes: new Uint8Array([255, 255, 255, 255]) };
+const white: Pixels = { width: 1, height: 1, bytes: new Uint8Array([255, 255, 255, 255]) };
 
 /** Every n-th pixel, so that a picture which is too large for this machine is at least shown. */
 function thinned(picture: Pixels, longest: number): Pixels {
@@ -35,11 +35,11 @@ function sampleSmoothly(gl: WebGL2RenderingContext): void {
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAX_LEVEL, SMALLEST_LEVEL);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAX_LEVEL, smallestLevel);
   const anisotropic = gl.getExtension("EXT_texture_filter_anisotropic");
   if (!anisotropic) return;
   const most = Number(gl.getParameter(anisotropic.MAX_TEXTURE_MAX_ANISOTROPY_EXT) ?? 1);
-  const anisotropy = Math.min(most, MOST_ANISOTROPY);
+  const anisotropy = Math.min(most, mostAnisotropy);
   gl.texParameterf(gl.TEXTURE_2D, anisotropic.TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);
 }
 
@@ -60,7 +60,7 @@ export function isWorn(mesh: ModelMesh): boolean {
  */
 export function wornTexture(gl: WebGL2RenderingContext, mesh: ModelMesh): WebGLTexture {
   const longest = Number(gl.getParameter(gl.MAX_TEXTURE_SIZE) ?? 2048);
-  const { width, height, bytes } = thinned(picture(mesh) ?? WHITE, longest);
+  const { width, height, bytes } = thinned(picture(mesh) ?? white, longest);
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);

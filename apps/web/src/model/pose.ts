@@ -6,11 +6,11 @@ import type { Ball, Placement, ViewSize } from "./placement";
 import { inflation, moveShare } from "./rise";
 
 /** How flat parts lie upon each other, as a share of the model's depth. */
-const GAP_SHARE = 1;
+const gapShare = 1;
 /** And the front of a part upon its back. */
-const SHEET_SHARE = 0.3;
+const sheetShare = 0.3;
 /** Model px; a flat model has no depth to take a share of. */
-const LEAST_GAP_PX = 1;
+const leastGapPx = 1;
 
 /** How a model of some parts stands at a moment of its rise. */
 export interface Pose {
@@ -33,7 +33,7 @@ export interface PartPose {
   readonly sheetPx: number;
 }
 
-export const STANDING: PartPose = { inflation: 1, liftPx: 0, sheetPx: 0 };
+export const standing: PartPose = { inflation: 1, liftPx: 0, sheetPx: 0 };
 
 export interface Way {
   readonly onPaper: Placement;
@@ -64,7 +64,7 @@ export function risingPose(
 ): Pose {
   const share = moveShare(riseTimeMs);
   const placement = blendPlacements(raised(way.onPaper), way.toView, extent.centre, share);
-  const gap = Math.max(GAP_SHARE * 2 * extent.half[2], LEAST_GAP_PX);
+  const gap = Math.max(gapShare * 2 * extent.half[2], leastGapPx);
   const ball = { centre: extent.centre, radius: 1.2 * extent.radius + gap * (partCount + 1) };
   return {
     ...poseOf(placement, ball, size),
@@ -75,7 +75,7 @@ export function risingPose(
       return {
         inflation: height,
         liftPx: flatness * gap * part,
-        sheetPx: flatness * SHEET_SHARE * gap,
+        sheetPx: flatness * sheetShare * gap,
       };
     },
   };

@@ -10,7 +10,7 @@ export interface ScreenBox {
 }
 
 /** Parts swell while they rise. */
-const SWOLLEN = 1.1;
+const swollen = 1.1;
 
 /** Where on a picture of this size something of this extent can be seen, and a margin around it. */
 export function screenBox(
@@ -25,7 +25,7 @@ export function screenBox(
   const span = (row: number, sidePx: number): readonly [first: number, count: number] => {
     const middle = m(row, 0) * x + m(row, 1) * y + m(row, 2) * z + m(row, 3);
     const half =
-      SWOLLEN * (Math.abs(m(row, 0)) * dx + Math.abs(m(row, 1)) * dy + Math.abs(m(row, 2)) * dz);
+      swollen * (Math.abs(m(row, 0)) * dx + Math.abs(m(row, 1)) * dy + Math.abs(m(row, 2)) * dz);
     const px = (clip: number): number => ((clip + 1) / 2) * sidePx;
     const within = (place: number): number => Math.min(Math.max(place, 0), sidePx);
     const first = within(Math.floor(px(middle - half) - marginPx));

@@ -11,19 +11,19 @@ import surfaceNormal from "./shaders/surface-normal.glsl?raw";
 
 /** The model in its look, with hidden surfaces removed. */
 export class SurfacePass {
-  readonly #gl: WebGL2RenderingContext;
-  readonly #program: Program;
+  private readonly gl: WebGL2RenderingContext;
+  private readonly program: Program;
 
   constructor(gl: WebGL2RenderingContext) {
-    this.#gl = gl;
-    this.#program = new Program(gl, [modelVertex], [surfaceNormal, modelLight, surfaceFragment]);
+    this.gl = gl;
+    this.program = new Program(gl, [modelVertex], [surfaceNormal, modelLight, surfaceFragment]);
   }
 
   draw(model: GpuModel, pose: Pose, shading: Shading): void {
-    const gl = this.#gl;
+    const gl = this.gl;
     // On the paper it is the drawing, whatever it is going to be.
     const worn = shading === "textured" ? 1 : 1 - pose.share;
-    this.#program.use({
+    this.program.use({
       u_drawing: 0,
       u_worn: model.isWorn ? worn : 0,
       u_is_paper: shading === "lines" ? 1 : 0,
@@ -31,11 +31,11 @@ export class SurfacePass {
     gl.bindTexture(gl.TEXTURE_2D, model.texture);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.BLEND);
-    drawPosed(gl, this.#program, model, pose);
+    drawPosed(gl, this.program, model, pose);
     gl.disable(gl.DEPTH_TEST);
   }
 
   dispose(): void {
-    this.#program.dispose();
+    this.program.dispose();
   }
 }

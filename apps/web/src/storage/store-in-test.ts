@@ -40,7 +40,7 @@ export interface Tab {
   readonly store: IndexedJournalStore;
   readonly states: SaveState[];
   readonly connection: Connection;
-  /** The tab is gone; what is under way may still arrive, what waits does not. */
+  /** The tab is gone; what is under way may still arrive, what waits does not, and nothing more is told. */
   close(): void;
 }
 
@@ -65,6 +65,8 @@ export class FakeBrowser {
       states,
       connection,
       close: () => {
+        connection.write = () => new Promise(() => undefined);
+        store.onState = () => undefined;
         holds.releaseAll();
       },
     };

@@ -12,7 +12,8 @@ export function startBrowserWorker(listen: (message: FromWorker) => void): CoreP
     listen(event.data);
   };
   worker.onerror = (event) => {
-    listen({ kind: "fault", why: event.message });
+    // A worker that could not even be loaded tells no message.
+    listen({ kind: "fault", why: event.message || "the worker could not be loaded" });
   };
   return {
     post: (message, transfer = []) => {

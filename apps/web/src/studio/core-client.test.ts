@@ -118,6 +118,15 @@ describe("CoreClient", () => {
     expect(workers).toHaveLength(3);
   });
 
+  test("runs one worker when it is asked to start twice at once: the last", async () => {
+    const { client, workers, settled } = clientWithWorkers();
+    void client.start({ kind: "session", session: "a" });
+    void client.start({ kind: "session", session: "b" });
+    await settled();
+    expect(workers).toHaveLength(1);
+    expect(workers[0]!.sent[0]).toMatchObject({ startWith: { kind: "session", session: "b" } });
+  });
+
   test("does not listen to a worker that it has given up", async () => {
     const { client, workers, heard, settled, ready } = clientWithWorkers();
     await client.start({ kind: "new" });

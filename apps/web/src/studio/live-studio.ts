@@ -48,8 +48,8 @@ export class LiveStudio implements Studio {
   private readonly board = new NoticeBoard();
   private readonly watch = new WorkWatch();
   private readonly listeners = new Set<(frame: Frame) => void>();
-  private readonly exports = new Replies<readonly FileOut[]>();
-  private readonly rawSessions = new Replies<Uint8Array>();
+  private readonly exports = new Replies<number, readonly FileOut[]>();
+  private readonly rawSessions = new Replies<string, Uint8Array>();
   private readonly byName = computed(
     () => new Map(this.actions.value.map((row) => [row.name, row])),
   );
@@ -168,7 +168,7 @@ export class LiveStudio implements Studio {
 
   rawSession(session: string): Promise<Uint8Array> {
     this.client.ask({ kind: "raw_session", session });
-    return this.rawSessions.wait(0);
+    return this.rawSessions.wait(session);
   }
 
   showPlace({ x, y, width, height }: CanvasRect): void {
@@ -185,6 +185,7 @@ export class LiveStudio implements Studio {
     const { mode, tool } = this.state.peek();
     this.isStarting.value = true;
     this.exports.failAll("restarted");
+    this.rawSessions.failAll("restarted");
     this.thumbnails.askAgain();
     this.act("single_keys", this.preferences.singleKeys.peek());
     if (tool !== "brush") this.act(tool === "select" ? "select_tool" : tool);
@@ -220,7 +221,7 @@ export class LiveStudio implements Studio {
         this.sessions.value = message.sessions;
         return;
       case "raw_session":
-        this.rawSessions.resolveAll(message.bytes);
+        this.rawSessions.resolve((session) => session === message.session, message.bytes);
         return;
       case "fault":
         this.watch.over();
@@ -249,7 +250,7 @@ export class LiveStudio implements Studio {
     this.watch.over();
     for (const listener of this.listeners) listener(frame);
     if (frame.state !== null) this.takeState(frame.state);
-    const isExport = this.exports.resolve(frame.sequence, frame.files);
+    const isExport = this.exports.resolve((asked) => asked <= frame.sequence, frame.files);
     if (!isExport && frame.files.length > 0) this.onFiles(frame.files);
     for (const { severity, text, place } of frame.messages) {
       // The core has only made the files: files/ tells once they are where the person wants them.

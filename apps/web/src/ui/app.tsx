@@ -2,7 +2,7 @@
 import "../styles/base.css";
 import "../styles/shell.css";
 import { useEffect, useLayoutEffect } from "preact/hooks";
-import { examples, openExample } from "../files/examples";
+import { startExamples } from "../files/examples";
 import type { Studio } from "../studio/studio";
 import { CanvasHost, type MountCanvas } from "./canvas-host";
 import { ContextBar } from "./context-bar";
@@ -19,7 +19,7 @@ import { PalettePanel } from "./palette-panel";
 import { PartsPanel } from "./parts-panel";
 import { SessionsPanel } from "./sessions-panel";
 import { SettingsPanel } from "./settings-panel";
-import { StartPaper, type StartExample } from "./start-paper";
+import { StartPaper } from "./start-paper";
 import { StudioContext, useStudio } from "./studio-context";
 import { ToolBar } from "./tool-bar";
 import { Tooltip } from "./tooltip";
@@ -88,15 +88,6 @@ function Shell({ mount }: { readonly mount: MountCanvas }) {
       <Tooltip />
     </div>
   );
-}
-
-/** Rough ones, so that the first key pressed is the one that closes them. */
-function startExamples(studio: Studio): StartExample[] {
-  return examples.slice(0, 3).map((example) => ({
-    name: studio.word(example.name),
-    picture: example.picture,
-    open: () => void openExample(studio, example),
-  }));
 }
 
 interface AppProps {

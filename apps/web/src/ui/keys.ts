@@ -9,7 +9,7 @@ const listRoles = "[role=menu], [role=listbox], [role=dialog], dialog";
 const buttonRoles = "button, a[href], summary, select, [role=button], [role=radio]";
 
 /** Who uses keys by itself, where the focus is. */
-export function ownerOf(target: EventTarget | null): KeyOwner {
+function ownerOf(target: EventTarget | null): KeyOwner {
   if (!(target instanceof HTMLElement)) return "none";
   if (target.isContentEditable || target instanceof HTMLTextAreaElement) return "text";
   if (target instanceof HTMLInputElement && textTypes.test(target.type)) return "text";

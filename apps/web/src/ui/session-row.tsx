@@ -36,7 +36,9 @@ function Picture({ picture }: Pick<Row, "picture">) {
 }
 
 async function saveRaw(studio: Studio, id: string, name: string): Promise<void> {
-  const bytes = await studio.rawSession(id);
+  const bytes = await studio.rawSession(id).catch(() => null);
+  // The core was started again, and the person was told.
+  if (bytes === null) return;
   download({ name: `${name}.journal`, bytes });
   studio.notify("status", studio.word("raw_data_saved", `${name}.journal`));
 }

@@ -42,6 +42,7 @@ export class CoreMemory {
     const bytes = typeof content === "string" ? this.encoder.encode(content) : content;
     // At least one byte: of none, malloc may give the address 0.
     const address = this.core._malloc(Math.max(bytes.length, 1));
+    if (address === 0) throw new Error(`no memory for ${bytes.length} bytes`);
     this.core.HEAPU8.set(bytes, address);
     return { address, bytes: bytes.length };
   }
