@@ -7,6 +7,7 @@ import type { SaveState, SessionRow } from "../protocol/messages";
 import type { ActionRow, EngineState, LayerRow, Menu } from "../protocol/state";
 import { chordText } from "../studio/chords";
 import { emptyState } from "../studio/empty-state";
+import type { MarkSide } from "../studio/mark-side";
 import type { Preferences } from "../studio/preferences";
 import type { LongWork, Notice, Panel, Studio, Thumbnail } from "../studio/studio";
 import { word } from "../studio/words";
@@ -104,6 +105,7 @@ export function fakeStudio(change: Partial<EngineState> = {}): FakeStudio {
     notices: signal<readonly Notice[]>([]),
     sessions: signal<readonly SessionRow[]>([]),
     panel: signal<Panel | null>(null),
+    markSide: signal<MarkSide>("outside"),
     isStarting: signal(false),
     word: (name, ...values) => word(name, preferences.language.value, ...values),
     label: (name) => row(name)?.labels[preferences.language.value] ?? name,
