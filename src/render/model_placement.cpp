@@ -22,6 +22,16 @@ struct Box {
   Vec3 max;
 };
 
+ModelPlacement seen_from(ModelView const& view) {
+  auto const turn = sin_cos(view.turn_rad);
+  auto const tilt = sin_cos(view.tilt_rad);
+  ModelPlacement result;
+  result.to_viewer = {turn.sin * tilt.cos, tilt.sin, turn.cos * tilt.cos};
+  result.right = {turn.cos, 0, -turn.sin};
+  result.up = cross(result.to_viewer, result.right);
+  return result;
+}
+
 Box bounds_of(std::vector<Vec3> const& points, ModelPlacement const& placement) {
   if (points.empty()) return {};
   auto const first = placement.turned(points[0]);
@@ -44,16 +54,14 @@ double fitting_scale(Box const& box, double width_px, double height_px) {
 }  // namespace
 
 ModelPlacement model_placement(RestModel const& model, ModelView const& view, double width_px,
-                               double height_px) {
-  auto const turn = sin_cos(view.turn_rad);
-  auto const tilt = sin_cos(view.tilt_rad);
-  ModelPlacement result;
-  result.to_viewer = {turn.sin * tilt.cos, tilt.sin, turn.cos * tilt.cos};
-  result.right = {turn.cos, 0, -turn.sin};
-  result.up = cross(result.to_viewer, result.right);
+                               double height_px, ModelFit fit) {
+  auto result = seen_from(view);
   auto const box = bounds_of(model.mesh.points, result);
-  result.scale = view.zoom * fitting_scale(box, width_px, height_px);
-  result.centre = (box.min + box.max) / 2;
+  auto const front = seen_from({});
+  auto const fitted = fit == ModelFit::AsTurned ? box : bounds_of(model.mesh.points, front);
+  result.scale = view.zoom * fitting_scale(fitted, width_px, height_px);
+  auto const centre = (fitted.min + fitted.max) / 2;
+  result.centre = fit == ModelFit::AsTurned ? centre : result.turned(centre);
   result.pan_px = {view.pan_px.x, -view.pan_px.y};
   if (model.mesh.points.empty()) return result;
   auto const placed = [&](Vec3 corner) {

@@ -29,11 +29,17 @@ struct ModelPlacement {
   }
 };
 
-/// The model from one side, fitted into a view of this size: what draw_model draws.
+/// What of a model is fitted into a view.
+enum class ModelFit {
+  AsTurned,  // what is seen fills the view: for pictures
+  FromFront,  // its front would: the model keeps its size and turns about its middle, as a thing in the hand does
+};
+
+/// The model from one side, fitted into a view of this size: as turned, what draw_model draws.
 ///
 /// cost    O(vertices)
 ModelPlacement model_placement(RestModel const& model, ModelView const& view, double width_px,
-                               double height_px);
+                               double height_px, ModelFit fit = ModelFit::AsTurned);
 
 /// A map of space, 3 x 4, row by row.
 using SpaceMap = std::array<double, 12>;

@@ -16,8 +16,8 @@ inline constexpr Colour kClosing = {0xe8, 0x60, 0x4c};    // dotted
 inline constexpr Colour kHelpLine = {0x1f, 0x8a, 0x7d};   // dashed
 inline constexpr Colour kSelection = {0x2f, 0x6d, 0xf6};  // always with a halo
 inline constexpr Colour kHalo = {0xff, 0xff, 0xff};
-inline constexpr Colour kGrid = {0xf2, 0xee, 0xe5};
-inline constexpr Colour kStrongGrid = {0xe9, 0xe3, 0xd7};
+inline constexpr Colour kGrid = {0x6b, 0x55, 0x2e, 16};
+inline constexpr Colour kStrongGrid = {0x6b, 0x55, 0x2e, 32};
 
 inline constexpr std::uint8_t kFaintAlpha = 64;  // 25 %: hidden ink, ink of before
 

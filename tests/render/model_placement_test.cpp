@@ -42,6 +42,21 @@ TEST(ModelPlacement, ItsMapPutsEachPointWhereDrawModelDoes) {
   EXPECT_LT(distance(box.max, placement.box.max), 1e-9);
 }
 
+TEST(ModelPlacement, TurningAModelThatIsFittedFromItsFrontKeepsItsSizeAndItsMiddle) {
+  auto const model = ball();
+  auto const of = [&](ModelView const& view) {
+    return model_placement(model, view, kWidth, kHeight, ModelFit::FromFront);
+  };
+  auto const front = of({});
+  EXPECT_EQ(front.box, model_placement(model, {}, kWidth, kHeight).box);
+  auto const middle = front.centre;  // from the front the model's own space is that of the view
+  for (double const turn : {-2.0, 0.4, 1.5}) {
+    auto const turned = of({turn, 0.3});
+    EXPECT_EQ(turned.scale, front.scale);
+    EXPECT_LT(norm(turned(middle)), 1e-9);
+  }
+}
+
 TEST(ModelPlacement, OnThePaperEachVertexLiesWhereItWasDrawn) {
   auto const model = ball();
   Affine const canvas_to_view = {-2, 0, 0, 2, 500, 30};  // mirrored

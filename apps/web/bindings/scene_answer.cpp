@@ -21,8 +21,8 @@ Json placed_model_json(ModelScene const& model, Scene const& scene) {
   double const width_px = scene.size.width_px;
   double const height_px = scene.size.height_px;
   // Zooming goes on over the bars.
-  auto const placement =
-      model_placement(*model.model, model.view, width_px, free_height_px(scene.size));
+  auto const placement = model_placement(*model.model, model.view, width_px,
+                                         free_height_px(scene.size), ModelFit::FromFront);
   return {{"id", model.id},
           {"toView", to_view(placement, width_px, height_px)},
           {"onPaper", onto_paper(*model.model, scene.canvas_to_screen)},

@@ -4,6 +4,8 @@ import { Stage } from "./canvas/stage";
 import { ModelView } from "./model/model-view";
 import type { SceneUpdate } from "./protocol/scene";
 import { isApple } from "./studio/chords";
+import { drawingName } from "./studio/drawing-name";
+import { markedAs } from "./studio/mark-side";
 import type { Studio } from "./studio/studio";
 
 /** The canvas of the model lies over the paper, and lets pointers through to it. */
@@ -30,7 +32,10 @@ function followMotion(view: ModelView, signal: AbortSignal): void {
 export function mountCanvas(host: HTMLElement, studio: Studio): () => void {
   const end = new AbortController();
   const stage = new Stage(host, {
-    send: (event) => studio.send(event),
+    send: (event) => {
+      const isMarking = studio.state.peek().mode === "draw" && studio.state.peek().tool === "mark";
+      return studio.send(isMarking ? markedAs(studio.markSide.peek(), event) : event);
+    },
     state: studio.state.peek(),
     isApple: isApple(navigator.platform),
   });
@@ -53,7 +58,7 @@ export function mountCanvas(host: HTMLElement, studio: Studio): () => void {
     if (frame.scene !== null) showModel(frame.scene);
   });
   const stopTitle = effect(() => {
-    document.title = `${studio.state.value.fileName} - Inkflate`;
+    document.title = `${drawingName(studio, studio.state.value.fileName)} - Inkflate`;
   });
   return () => {
     end.abort();

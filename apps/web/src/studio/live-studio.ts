@@ -16,6 +16,7 @@ import { CoreClient, type CorePort } from "./core-client";
 import { emptyState } from "./empty-state";
 import { WorkWatch } from "./long-work";
 import { NoticeBoard } from "./notices";
+import type { MarkSide } from "./mark-side";
 import type { Preferences } from "./preferences";
 import { Replies } from "./replies";
 import { takeRequest } from "./requests";
@@ -40,6 +41,7 @@ export class LiveStudio implements Studio {
   readonly saveState = signal<SaveState>({ kind: "saving" });
   readonly sessions = signal<readonly SessionRow[]>([]);
   readonly panel = signal<Panel | null>(null);
+  readonly markSide = signal<MarkSide>("outside");
   readonly isStarting = signal(true);
   readonly preferences: Preferences;
   onFiles: (files: readonly FileOut[]) => void = () => undefined;

@@ -4,6 +4,7 @@ import type { ActionName } from "../protocol/actions.generated";
 import type { CoreEvent, FileUse } from "../protocol/events";
 import type { CanvasRect, FileOut, Frame, SaveState, SessionRow } from "../protocol/messages";
 import type { ActionRow, EngineState } from "../protocol/state";
+import type { MarkSide } from "./mark-side";
 import type { Preferences } from "./preferences";
 import type { Word } from "./words";
 
@@ -44,6 +45,8 @@ export interface Studio {
   /** Drawings that earlier runs have left and nobody holds. */
   readonly sessions: ReadonlySignal<readonly SessionRow[]>;
   readonly panel: Signal<Panel | null>;
+  /** What the mark tool says of the places that are clicked. */
+  readonly markSide: Signal<MarkSide>;
   readonly preferences: Preferences;
   /** Is true while the page has no core: at the start, and after a fault until it is back. */
   readonly isStarting: ReadonlySignal<boolean>;

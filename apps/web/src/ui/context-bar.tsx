@@ -7,14 +7,29 @@ import { HandSettings } from "./hand-settings";
 import { ModelSettings } from "./model-settings";
 import { PartSettings } from "./part-settings";
 import { PrimaryButton } from "./primary-button";
+import { Segmented } from "./segmented";
 import { useStudio } from "./studio-context";
 import "../styles/context-bar.css";
 
 function MarkSettings() {
   const studio = useStudio();
+  const side = studio.markSide.value;
   return (
     <>
-      <p class="context-hint">{studio.word("mark_hint")}</p>
+      <Segmented
+        label={studio.label("mark")}
+        chosen={side}
+        segments={[
+          { value: "outside", label: studio.word("mark_side_outside") },
+          { value: "inside", label: studio.word("mark_side_inside") },
+        ]}
+        onChoose={(next) => {
+          studio.markSide.value = next;
+        }}
+      />
+      <p class="context-hint">
+        {studio.word(side === "outside" ? "mark_outside_hint" : "mark_inside_hint")}
+      </p>
       {!studio.state.value.hasRoughStrokes && studio.isEnabled("gap") && <GapSlider />}
     </>
   );

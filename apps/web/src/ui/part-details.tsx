@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Ban, TextCursorInput } from "lucide-preact";
 import type { ActionName } from "../protocol/actions.generated";
-import type { LayerRow } from "../protocol/state";
+import type { EngineState, LayerRow } from "../protocol/state";
 import "../styles/part-details.css";
 import { ActionButton, IconButton } from "./icon-button";
 import { DeleteIcon, DuplicateIcon, EditLinesIcon, FartherIcon, NearerIcon } from "./icons";
+import { isNarrow } from "./narrow";
 import { partName } from "./part-name";
 import { Fill, Thickness } from "./part-settings";
 import { useStudio } from "./studio-context";
@@ -60,6 +61,22 @@ function LinesRow({ isOpen }: { readonly isOpen: boolean }) {
   );
 }
 
+function OrderRow() {
+  return (
+    <div class="part-actions">
+      <ActionButton icon={NearerIcon} action="depth_nearer" />
+      <ActionButton icon={FartherIcon} action="depth_farther" />
+      <ActionButton icon={DuplicateIcon} action="duplicate" />
+      <ActionButton icon={DeleteIcon} action="delete" tone="danger" />
+    </div>
+  );
+}
+
+/** The bar below the drawing has the same buttons while parts are being selected in it; there they are nearer to the hand. */
+function hasOrderBelow({ mode, tool }: EngineState): boolean {
+  return !isNarrow.value && mode === "draw" && tool === "select";
+}
+
 /** Everything about the parts that are selected. */
 export function PartDetails({ selected, onRename }: PartDetailsProps) {
   const studio = useStudio();
@@ -69,11 +86,8 @@ export function PartDetails({ selected, onRename }: PartDetailsProps) {
   const name = isOne ? partName(studio, first) : studio.word("parts_selected", selected.length);
   return (
     <section class="part-details" aria-label={studio.word("part_details", name)}>
-      <Thickness value={first.thickness} />
-      <FillRow part={first} />
-      <div class="part-actions">
-        <ActionButton icon={NearerIcon} action="depth_nearer" />
-        <ActionButton icon={FartherIcon} action="depth_farther" />
+      <div class="part-heading">
+        <span class="part-heading-name">{name}</span>
         <IconButton
           icon={TextCursorInput}
           label={studio.label("rename_part")}
@@ -83,9 +97,10 @@ export function PartDetails({ selected, onRename }: PartDetailsProps) {
             onRename(first.id);
           }}
         />
-        <ActionButton icon={DuplicateIcon} action="duplicate" />
-        <ActionButton icon={DeleteIcon} action="delete" tone="danger" />
       </div>
+      <Thickness value={first.thickness} />
+      <FillRow part={first} />
+      {!hasOrderBelow(studio.state.value) && <OrderRow />}
       <LinesRow isOpen={selected.some((part) => part.isOpen)} />
     </section>
   );

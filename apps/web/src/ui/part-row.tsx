@@ -65,6 +65,7 @@ function PartSwitches({ part, isReached }: Pick<PartRowProps, "part" | "isReache
 export function PartRow(props: PartRowProps) {
   const studio = useStudio();
   const { part } = props;
+  const name = partName(studio, part);
   const claims = [
     part.isHidden && studio.word("part_is_hidden"),
     part.isLocked && studio.word("part_is_locked"),
@@ -104,13 +105,13 @@ export function PartRow(props: PartRowProps) {
         <PartThumbnail part={part} />
         {!props.isRenamed && (
           <span class="part-label">
-            <span class="part-name">{partName(studio, part)}</span>
+            <span class="part-name">{name}</span>
             {part.isOpen && <span class="part-claim">{studio.word("part_is_open")}</span>}
           </span>
         )}
         <span class="visually-hidden">{claims.join(", ")}</span>
       </button>
-      {props.isRenamed && <PartRename name={part.name} onDone={props.onRenamed} />}
+      {props.isRenamed && <PartRename name={name} onDone={props.onRenamed} />}
       <PartSwitches part={part} isReached={props.isReached} />
     </li>
   );

@@ -10,6 +10,7 @@ import {
   FlipVerticalIcon,
   NearerIcon,
 } from "./icons";
+import { isNarrow } from "./narrow";
 import { Popover } from "./popover";
 import { ratioScale } from "./scales";
 import { Slider } from "./slider";
@@ -58,7 +59,7 @@ export function Fill({ colour }: { readonly colour: string | null }) {
   );
 }
 
-/** What can be done to the parts that are selected. */
+/** What can be done to the parts that are selected. Their looks and lines are beside the stack of parts where it has a place. */
 export function PartSettings() {
   const studio = useStudio();
   const first = studio.state.value.layers.find((layer) => layer.isSelected);
@@ -70,11 +71,15 @@ export function PartSettings() {
       <ActionButton icon={FlipVerticalIcon} action="flip_vertical" />
       <ActionButton icon={NearerIcon} action="depth_nearer" />
       <ActionButton icon={FartherIcon} action="depth_farther" />
-      <Popover icon={AdjustIcon} label={studio.word("thickness_and_colour")}>
-        <Thickness value={first.thickness} />
-        <Fill colour={first.fill} />
-      </Popover>
-      <ActionButton icon={EditLinesIcon} action={first.isOpen ? "close_part" : "open_part"} />
+      {isNarrow.value && (
+        <>
+          <Popover icon={AdjustIcon} label={studio.word("thickness_and_colour")}>
+            <Thickness value={first.thickness} />
+            <Fill colour={first.fill} />
+          </Popover>
+          <ActionButton icon={EditLinesIcon} action={first.isOpen ? "close_part" : "open_part"} />
+        </>
+      )}
       <ActionButton icon={DeleteIcon} action="delete" tone="danger" />
     </div>
   );

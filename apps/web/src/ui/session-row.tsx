@@ -3,6 +3,7 @@ import { Download, Trash2 } from "lucide-preact";
 import { useEffect, useState } from "preact/hooks";
 import { download } from "../files/write-file";
 import type { SessionRow as Row } from "../protocol/messages";
+import { drawingName } from "../studio/drawing-name";
 import type { Studio } from "../studio/studio";
 import { relativeTime } from "./relative-time";
 import { useStudio } from "./studio-context";
@@ -98,7 +99,7 @@ function ForgetButton({ id, name }: { readonly id: string; readonly name: string
 export function SessionRow({ session }: { readonly session: Row }) {
   const studio = useStudio();
   const { id, picture, changedMs } = session;
-  const name = session.name === "" ? studio.word("untitled") : session.name;
+  const name = drawingName(studio, session.name);
   const language = studio.preferences.language.value;
   const rawLabel = studio.word("save_raw_data", name);
   return (

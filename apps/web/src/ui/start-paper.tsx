@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import "../styles/start-paper.css";
 import { useStudio } from "./studio-context";
+import { drawThrough } from "./draw-through";
 import { useCanvasPress } from "./use-canvas-press";
 
 export interface StartExample {
@@ -23,7 +24,12 @@ export function StartPaper({ examples }: { readonly examples: readonly StartExam
         <ul class="start-examples" aria-label={studio.word("examples_to_start")}>
           {examples.map(({ name, picture, open }) => (
             <li key={name}>
-              <button type="button" class="start-example" onClick={open}>
+              <button
+                type="button"
+                class="start-example"
+                onPointerDown={drawThrough}
+                onClick={open}
+              >
                 <img src={picture} alt="" draggable={false} />
                 <span>{name}</span>
               </button>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ActionName } from "../protocol/actions.generated";
+import { drawingName } from "../studio/drawing-name";
 import type { Panel } from "../studio/studio";
 import { useEdgeHeight } from "./edge-heights";
 import { IconButton } from "./icon-button";
@@ -55,7 +56,7 @@ function DrawingName() {
   const { fileName } = studio.state.value;
   return (
     <div class="drawing-name">
-      <h1>{fileName === "" ? studio.word("untitled") : fileName}</h1>
+      <h1>{drawingName(studio, fileName)}</h1>
       <SaveMark />
     </div>
   );

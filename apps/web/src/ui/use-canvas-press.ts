@@ -6,7 +6,9 @@ export function useCanvasPress(): boolean {
   const [isPressed, setIsPressed] = useState(false);
   useEffect(() => {
     const onPress = (event: PointerEvent) => {
-      if (event.target instanceof HTMLCanvasElement) setIsPressed(true);
+      // Its canvases let pointers through to the stage.
+      const { target } = event;
+      if (target instanceof Element && target.closest(".stage") !== null) setIsPressed(true);
     };
     const onRelease = () => {
       setIsPressed(false);
