@@ -51,16 +51,3 @@ export async function openExample(studio: Studio, example: Example): Promise<voi
     });
   }
 }
-
-/** Those that the empty paper offers. */
-export function startExamples(
-  studio: Studio,
-): readonly { readonly name: string; readonly picture: string; readonly open: () => void }[] {
-  return examples
-    .filter(({ isRough }) => isRough)
-    .map((example) => ({
-      name: studio.word(example.name),
-      picture: example.picture,
-      open: () => void openExample(studio, example),
-    }));
-}

@@ -15,6 +15,8 @@ export function StartPaper({ examples }: { readonly examples: readonly StartExam
   const studio = useStudio();
   const isPressed = useCanvasPress();
   const { isBlank, mode } = studio.state.value;
+  // They would take the line from the core, which one draws with.
+  const arePicturesDue = !studio.isStarting.value;
   if (!isBlank || mode !== "draw") return null;
   return (
     <div class="start-paper" data-away={isPressed}>
@@ -24,7 +26,7 @@ export function StartPaper({ examples }: { readonly examples: readonly StartExam
           {examples.map(({ name, picture, open }) => (
             <li key={name}>
               <button type="button" class="start-example" onClick={open}>
-                <img src={picture} alt="" draggable={false} />
+                <img src={arePicturesDue ? picture : undefined} alt="" draggable={false} />
                 <span>{name}</span>
               </button>
             </li>
