@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
-import { contentPolicy, serviceWorkerFiles } from "./tools/studio-plugins";
+import { contentPolicy, preloadCore, serviceWorkerFiles } from "./tools/studio-plugins";
 
 const serviceWorker = "sw.js";
 
@@ -19,7 +19,7 @@ export default defineConfig({
   },
   worker: { format: "es" },
   esbuild: { jsx: "automatic", jsxImportSource: "preact" },
-  plugins: [contentPolicy(), serviceWorkerFiles(serviceWorker)],
+  plugins: [contentPolicy(), preloadCore(), serviceWorkerFiles(serviceWorker)],
   build: {
     outDir: "../../build/studio",
     emptyOutDir: true,

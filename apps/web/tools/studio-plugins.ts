@@ -25,6 +25,28 @@ export function contentPolicy(): Plugin {
   };
 }
 
+/**
+ * Lets the browser fetch the core while it still reads the studio's script. The attributes are those of the script's own request:
+ * otherwise it would be fetched twice.
+ */
+export function preloadCore(): Plugin {
+  return {
+    name: "inkflate-preload-core",
+    apply: "build",
+    transformIndexHtml: {
+      order: "post",
+      handler: (_page, { bundle = {} }) =>
+        Object.keys(bundle)
+          .filter((name) => name.endsWith(".wasm"))
+          .map((name) => ({
+            tag: "link",
+            attrs: { rel: "preload", as: "fetch", crossorigin: true, href: `./${name}` },
+            injectTo: "head",
+          })),
+    },
+  };
+}
+
 /** Stands in src/service-worker.ts where the list comes. */
 const placeholder = "__INKFLATE_FILES__";
 

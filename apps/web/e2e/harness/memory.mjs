@@ -11,7 +11,10 @@ class Workers {
 
   constructor(cdp) {
     this.cdp = cdp;
-    cdp.on("Target.attachedToTarget", ({ sessionId }) => this.#sessions.add(sessionId));
+    // The service worker is no part of the page, and may sleep: then it never answers.
+    cdp.on("Target.attachedToTarget", ({ sessionId, targetInfo }) => {
+      if (targetInfo.type === "worker") this.#sessions.add(sessionId);
+    });
     cdp.on("Target.detachedFromTarget", ({ sessionId }) => this.#sessions.delete(sessionId));
     cdp.on("Target.receivedMessageFromTarget", ({ message }) => {
       const { id, result } = JSON.parse(message);
@@ -52,17 +55,24 @@ async function wasmBytes(workers, session) {
   return sum.result.value;
 }
 
+/** Objects of scripts, and what hangs on them: nodes of the page, buffers. */
+const held = ({ usedSize, embedderHeapUsedSize, backingStorageSize }) =>
+  mega(usedSize + embedderHeapUsedSize + backingStorageSize);
+
 export async function memoryOf(page) {
   const cdp = await page.context().newCDPSession(page);
   const workers = new Workers(cdp);
   await workers.attach();
   await page.waitForTimeout(200);
   await cdp.send("HeapProfiler.collectGarbage");
-  const { usedSize } = await cdp.send("Runtime.getHeapUsage");
-  const found = { pageMB: mega(usedSize), workerMB: 0, wasmMB: 0 };
+  const found = {
+    pageMB: held(await cdp.send("Runtime.getHeapUsage")),
+    workerMB: 0,
+    wasmMB: 0,
+  };
   for (const session of workers.all) {
     await workers.ask(session, "HeapProfiler.collectGarbage");
-    found.workerMB += mega((await workers.ask(session, "Runtime.getHeapUsage")).usedSize);
+    found.workerMB += held(await workers.ask(session, "Runtime.getHeapUsage"));
     found.wasmMB += mega(await wasmBytes(workers, session));
   }
   await cdp.detach();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import { effect } from "@preact/signals";
 import type { Studio } from "../studio/studio";
 import { trustedScriptUrl } from "../studio/trusted-urls";
 
@@ -47,7 +48,13 @@ export function attachUpdates(studio: Studio): void {
   const isServed = location.protocol === "https:" || location.protocol === "http:";
   const has = navigator as { serviceWorker?: ServiceWorkerContainer };
   if (!isServed || has.serviceWorker === undefined) return;
-  // What is shown first comes first.
-  if (document.readyState === "complete") void register(studio);
-  else addEventListener("load", () => void register(studio), { once: true });
+  // All files of the build are fetched then: what one draws with comes first.
+  const stop = effect(() => {
+    if (studio.isStarting.value) return;
+    // The effect has not returned yet when the core is there already.
+    queueMicrotask(() => {
+      stop();
+    });
+    void register(studio);
+  });
 }

@@ -59,7 +59,7 @@ export type ToWorker =
   /** First message. */
   | {
       readonly kind: "start";
-      readonly wasm: ArrayBuffer;
+      readonly wasm: WebAssembly.Module;
       readonly startWith: StartWith;
       readonly language: Language;
     }

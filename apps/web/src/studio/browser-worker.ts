@@ -25,15 +25,22 @@ export function startBrowserWorker(listen: (message: FromWorker) => void): CoreP
   };
 }
 
-let bytes: Promise<ArrayBuffer> | null = null;
+/** Compiles while the bytes come, where the server tells what they are. */
+async function compileCore(): Promise<WebAssembly.Module> {
+  const answer = await fetch(wasmUrl);
+  if (!answer.ok) throw new Error(`the core is not there: ${answer.status}`);
+  const isTold = answer.headers.get("Content-Type") === "application/wasm";
+  return isTold
+    ? WebAssembly.compileStreaming(answer)
+    : WebAssembly.compile(await answer.arrayBuffer());
+}
 
-/** The core's bytes, fetched once however often it is started. */
-export function loadBrowserCore(): Promise<ArrayBuffer> {
-  bytes ??= fetch(wasmUrl).then((answer) => {
-    if (!answer.ok) throw new Error(`the core is not there: ${answer.status}`);
-    return answer.arrayBuffer();
-  });
+let core: Promise<WebAssembly.Module> | null = null;
+
+/** The core, fetched and compiled once however often it is started. */
+export function loadBrowserCore(): Promise<WebAssembly.Module> {
+  core ??= compileCore();
   // A network that is back is asked again.
-  bytes.catch(() => (bytes = null));
-  return bytes;
+  core.catch(() => (core = null));
+  return core;
 }

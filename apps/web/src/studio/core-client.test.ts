@@ -6,6 +6,9 @@ import { CoreClient } from "./core-client";
 
 const undo: CoreEvent = { type: "action", name: "undo", argument: "" };
 
+/** The shortest that is valid. */
+const emptyModule = new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]));
+
 /** A client whose workers do nothing but write down what they are sent. */
 function clientWithWorkers() {
   const workers: {
@@ -25,7 +28,7 @@ function clientWithWorkers() {
         end: () => (worker.isEnded = true),
       };
     },
-    loadCore: () => Promise.resolve(new ArrayBuffer(0)),
+    loadCore: () => Promise.resolve(emptyModule),
     language: () => "en",
     onMessage: (message) => heard.push(message),
     onStart: () => {

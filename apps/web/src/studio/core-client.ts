@@ -12,8 +12,8 @@ export interface CorePort {
 export interface CoreClientOptions {
   /** Starts a worker that calls back with its messages, or with a fault when it could not even load. */
   startWorker(listen: (message: FromWorker) => void): CorePort;
-  /** Bytes of the core; asked for at each start. */
-  loadCore(): Promise<ArrayBuffer>;
+  /** Asked for at each start. */
+  loadCore(): Promise<WebAssembly.Module>;
   language(): Language;
   onMessage(message: FromWorker): void;
   /** A worker has started: it knows nothing yet of the window. Events sent from here come before all others. */
@@ -30,6 +30,8 @@ const faultsWithinMs = 20_000;
 /** Keeps a worker with the core running: starts it, numbers what is sent, starts it anew after a fault from what was kept. */
 export class CoreClient {
   private port: CorePort | null = null;
+  /** Whether the worker has its first message; until then events wait. */
+  private isTold = false;
   private sequence = 0;
   private waiting: CoreEvent[] = [];
   private session: string | null = null;
@@ -42,6 +44,7 @@ export class CoreClient {
   async start(startWith: StartWith): Promise<void> {
     const number = ++this.starts;
     this.port?.end();
+<<<<<<< HEAD
     this.port = null;
     let wasm: ArrayBuffer;
     try {
@@ -51,10 +54,23 @@ export class CoreClient {
       return;
     }
     if (number !== this.starts) return;
+=======
+    // The worker's script is fetched while the core is.
+>>>>>>> slow
     const port = this.options.startWorker((message) => {
       if (this.port === port) this.listen(message);
     });
     this.port = port;
+    this.isTold = false;
+    let wasm: WebAssembly.Module;
+    try {
+      wasm = await this.options.loadCore();
+    } catch (error) {
+      if (this.port === port) this.stop(String(error));
+      return;
+    }
+    if (this.port !== port) return;
+    this.isTold = true;
     port.post({ kind: "start", wasm, startWith, language: this.options.language() });
     const early = this.waiting;
     this.waiting = [];
@@ -75,7 +91,7 @@ export class CoreClient {
   }
 
   ask(message: ToWorker): void {
-    this.port?.post(message);
+    if (this.isTold) this.port?.post(message);
   }
 
   /** Gives up what the core is at; all that was done before is kept. */
@@ -86,7 +102,7 @@ export class CoreClient {
   }
 
   private flush(): void {
-    if (this.port === null || this.waiting.length === 0) return;
+    if (this.port === null || !this.isTold || this.waiting.length === 0) return;
     const events = this.waiting;
     this.waiting = [];
     const transfer = events.flatMap((event) => (event.type === "file" ? [event.bytes.buffer] : []));
@@ -110,9 +126,13 @@ export class CoreClient {
       this.options.onHopeless(why);
       this.restart();
     } else {
-      this.port?.end();
-      this.port = null;
-      this.options.onHopeless(why);
+      this.stop(why);
     }
+  }
+
+  private stop(why: string): void {
+    this.port?.end();
+    this.port = null;
+    this.options.onHopeless(why);
   }
 }

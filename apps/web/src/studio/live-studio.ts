@@ -29,7 +29,7 @@ import { word, type Word } from "./words";
 export interface StudioOptions {
   readonly preferences: Preferences;
   readonly startWorker: (listen: (message: FromWorker) => void) => CorePort;
-  readonly loadCore: () => Promise<ArrayBuffer>;
+  readonly loadCore: () => Promise<WebAssembly.Module>;
 }
 
 type Ready = Extract<FromWorker, { kind: "ready" }>;

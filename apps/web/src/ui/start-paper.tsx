@@ -16,6 +16,8 @@ export function StartPaper({ examples }: { readonly examples: readonly StartExam
   const studio = useStudio();
   const isPressed = useCanvasPress();
   const { isBlank, mode } = studio.state.value;
+  // They would take the line from the core, which one draws with.
+  const arePicturesDue = !studio.isStarting.value;
   if (!isBlank || mode !== "draw") return null;
   return (
     <div class="start-paper" data-away={isPressed}>
@@ -24,6 +26,7 @@ export function StartPaper({ examples }: { readonly examples: readonly StartExam
         <ul class="start-examples" aria-label={studio.word("examples_to_start")}>
           {examples.map(({ name, picture, open }) => (
             <li key={name}>
+<<<<<<< HEAD
               <button
                 type="button"
                 class="start-example"
@@ -31,6 +34,10 @@ export function StartPaper({ examples }: { readonly examples: readonly StartExam
                 onClick={open}
               >
                 <img src={picture} alt="" draggable={false} />
+=======
+              <button type="button" class="start-example" onClick={open}>
+                <img src={arePicturesDue ? picture : undefined} alt="" draggable={false} />
+>>>>>>> slow
                 <span>{name}</span>
               </button>
             </li>

@@ -22,10 +22,13 @@ export class Artist {
   static async start(): Promise<Artist> {
     const wasm = await readFile(new URL("core.wasm", coreFolder));
     const told: { to?: Artist } = {};
-    const engine = await CoreEngine.load(new Uint8Array(wasm).buffer, (stage, share) => {
-      told.to?.stages.push(stage);
-      told.to?.shares.push(share);
-    });
+    const engine = await CoreEngine.load(
+      await WebAssembly.compile(new Uint8Array(wasm)),
+      (stage, share) => {
+        told.to?.stages.push(stage);
+        told.to?.shares.push(share);
+      },
+    );
     const artist = new Artist(engine);
     told.to = artist;
     engine.handle({ type: "resize", width: viewSidePx, height: viewSidePx, bars: 0 });

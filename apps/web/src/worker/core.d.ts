@@ -83,7 +83,11 @@ declare module "#core" {
   }
 
   export interface CoreOptions {
-    readonly wasmBinary: ArrayBuffer;
+    /** Called once instead of loading core.wasm: makes an instance and gives it to `receive`. Returns an empty object. */
+    readonly instantiateWasm: (
+      imports: WebAssembly.Imports,
+      receive: (instance: WebAssembly.Instance) => void,
+    ) => object;
     readonly onProgress: (stage: string, share: number) => void;
     /** Lines that the core writes before it stops. */
     readonly printErr: (line: string) => void;

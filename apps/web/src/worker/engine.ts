@@ -45,14 +45,22 @@ export class CoreEngine {
     this.engine = core._engine_new();
   }
 
-  static async load(wasm: ArrayBuffer, onProgress: OnProgress): Promise<CoreEngine> {
+  static load(wasm: WebAssembly.Module, onProgress: OnProgress): Promise<CoreEngine> {
     const lastWords: string[] = [];
-    const core = await createCore({
-      wasmBinary: wasm,
-      onProgress,
-      printErr: (line) => lastWords.push(line),
+    // What createCore makes of a failed start is a promise that is never settled.
+    return new Promise((resolve, reject) => {
+      const core = createCore({
+        instantiateWasm: (imports, receive) => {
+          WebAssembly.instantiate(wasm, imports).then(receive, reject);
+          return {};
+        },
+        onProgress,
+        printErr: (line) => lastWords.push(line),
+      });
+      core.then((started) => {
+        resolve(new CoreEngine(started, lastWords));
+      }, reject);
     });
-    return new CoreEngine(core, lastWords);
   }
 
   handle(event: CoreEvent): void {
