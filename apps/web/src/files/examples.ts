@@ -51,7 +51,6 @@ export async function openExample(studio: Studio, example: Example): Promise<voi
     });
   }
 }
-<<<<<<< HEAD
 
 /** Those that the empty paper offers: rough ones, so that the first key pressed is the one that closes them. */
 export function startExamples(
@@ -65,5 +64,3 @@ export function startExamples(
       open: () => void openExample(studio, example),
     }));
 }
-=======
->>>>>>> slow

@@ -126,8 +126,10 @@ describe("CoreClient", () => {
     void client.start({ kind: "session", session: "a" });
     void client.start({ kind: "session", session: "b" });
     await settled();
-    expect(workers).toHaveLength(1);
-    expect(workers[0]!.sent[0]).toMatchObject({ startWith: { kind: "session", session: "b" } });
+    const [first, last] = workers;
+    expect(first).toMatchObject({ isEnded: true, sent: [] });
+    expect(last?.isEnded).toBe(false);
+    expect(last?.sent[0]).toMatchObject({ startWith: { kind: "session", session: "b" } });
   });
 
   test("does not listen to a worker that it has given up", async () => {

@@ -36,27 +36,12 @@ export class CoreClient {
   private waiting: CoreEvent[] = [];
   private session: string | null = null;
   private faults: number[] = [];
-  /** How many times it was asked to start: of two starts under way at once, the later one counts. */
-  private starts = 0;
 
   constructor(private readonly options: CoreClientOptions) {}
 
   async start(startWith: StartWith): Promise<void> {
-    const number = ++this.starts;
     this.port?.end();
-<<<<<<< HEAD
-    this.port = null;
-    let wasm: ArrayBuffer;
-    try {
-      wasm = await this.options.loadCore();
-    } catch (error) {
-      if (number === this.starts) this.options.onHopeless(String(error));
-      return;
-    }
-    if (number !== this.starts) return;
-=======
     // The worker's script is fetched while the core is.
->>>>>>> slow
     const port = this.options.startWorker((message) => {
       if (this.port === port) this.listen(message);
     });

@@ -26,18 +26,13 @@ export function StartPaper({ examples }: { readonly examples: readonly StartExam
         <ul class="start-examples" aria-label={studio.word("examples_to_start")}>
           {examples.map(({ name, picture, open }) => (
             <li key={name}>
-<<<<<<< HEAD
               <button
                 type="button"
                 class="start-example"
                 onPointerDown={drawThrough}
                 onClick={open}
               >
-                <img src={picture} alt="" draggable={false} />
-=======
-              <button type="button" class="start-example" onClick={open}>
                 <img src={arePicturesDue ? picture : undefined} alt="" draggable={false} />
->>>>>>> slow
                 <span>{name}</span>
               </button>
             </li>
