@@ -50,6 +50,7 @@ async function drawToTheEnd(open, end) {
     await pause(random() * longestDrawingMs);
     last = { before: found, told, endMs: Date.now() };
     await end(page);
+    if (count % 10 === 9) console.log(`  ${count + 1} ends, ${found} strokes`);
     most = Math.max(most, found);
   }
   assert.ok(most > 0, "nothing was drawn");
