@@ -20,7 +20,8 @@ double side_px(double value) {
 
 /// The view, whatever it is, as one that can be drawn.
 View drawable(View view) {
-  view.size = {side_px(view.size.width_px), side_px(view.size.height_px)};
+  view.size.width_px = side_px(view.size.width_px);
+  view.size.height_px = side_px(view.size.height_px);
   auto& camera = view.camera;
   if (!is_finite(camera.centre) || !std::isfinite(camera.zoom)) camera = Camera{};
   camera.zoom = std::clamp(camera.zoom, Camera::kLeastZoom, Camera::kLargestZoom);

@@ -215,6 +215,12 @@ TEST(Scene, AViewOfAnyNumbersGivesFiniteLists) {
   }
 }
 
+TEST(Scene, TellsHowMuchOfItIsFreeOfBars) {
+  SceneMaker maker;
+  maker.view.size = {400, 300, 120};
+  EXPECT_EQ(free_height_px(maker.scene(empty_document()).size), 180);
+}
+
 TEST(Scene, ModelsStandOnThePaperWithoutStrokes) {
   SceneBuilder builder;
   auto view = plain_view();

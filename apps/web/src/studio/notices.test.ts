@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import { NoticeBoard } from "./notices";
 
 const say = (board: NoticeBoard, text: string) => {
-  board.add({ severity: "status", text, place: null, remedy: null });
+  board.add({ severity: "warning", text, place: null, remedy: null });
 };
 const texts = (board: NoticeBoard) => board.notices.value.map((notice) => notice.text);
 
@@ -29,4 +29,15 @@ test("a notice that was put away is gone", () => {
   say(board, "b");
   board.dismiss(board.notices.value[0]!.id);
   expect(texts(board)).toEqual(["b"]);
+});
+
+test("what has only been told gives way to what is said next", () => {
+  const board = new NoticeBoard();
+  const told = { severity: "status", place: null, remedy: null } as const;
+  const remedy = { label: "undo it", run: () => undefined };
+  board.add({ ...told, text: "a" });
+  board.add({ ...told, text: "b", remedy });
+  board.add({ ...told, text: "c" });
+  say(board, "d");
+  expect(texts(board)).toEqual(["b", "d"]);
 });

@@ -21,6 +21,9 @@ function ownerOf(target: EventTarget | null): KeyOwner {
 /** Keys of the whole page go to the core, after all that is open over the canvas. Returns how to stop. */
 export function listenToKeys(studio: Studio): () => void {
   const keys = computed(() => keysOf(studio.actions.value));
+  const paletteKeys = computed(() =>
+    keysOf(studio.actions.value.filter(({ name }) => name === "palette")),
+  );
   const isApple = isAppleSystem(navigator.platform);
 
   function tell(event: KeyboardEvent, isPress: boolean): void {
@@ -41,6 +44,12 @@ export function listenToKeys(studio: Studio): () => void {
   function onKeyDown(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.isComposing) return;
     if (isOwnKey(event, ownerOf(event.target))) return;
+    // What is typed next is meant for its field: that must not wait until the core has asked for it.
+    if (isCoreKey(event, isApple, paletteKeys.value)) {
+      event.preventDefault();
+      studio.panel.value = "palette";
+      return;
+    }
     // Space scrolls, and so do arrows; the table's keys with Ctrl are the browser's own.
     if (event.key === " " || isCoreKey(event, isApple, keys.value)) event.preventDefault();
     tell(event, true);
