@@ -48,6 +48,8 @@ export class LiveStudio implements Studio {
   private readonly board = new NoticeBoard();
   private readonly watch = new WorkWatch();
   private readonly listeners = new Set<(frame: Frame) => void>();
+  /** Number of the last event that a frame has told of. */
+  private readonly answered = signal(0);
   private readonly exports = new Replies<number, readonly FileOut[]>();
   private readonly rawSessions = new Replies<string, Uint8Array>();
   private readonly byName = computed(
@@ -153,7 +155,7 @@ export class LiveStudio implements Studio {
 
   openSession(session: string | null): void {
     this.panel.value = null;
-    void settled(this.saveState).then(() =>
+    void settled(this.client.lastSequence, this.answered, this.saveState).then(() =>
       this.client.start(session === null ? { kind: "new" } : { kind: "session", session }),
     );
   }
@@ -248,6 +250,7 @@ export class LiveStudio implements Studio {
 
   private takeFrame(frame: Frame): void {
     this.watch.over();
+    this.answered.value = frame.sequence;
     for (const listener of this.listeners) listener(frame);
     if (frame.state !== null) this.takeState(frame.state);
     const isExport = this.exports.resolve((asked) => asked <= frame.sequence, frame.files);
