@@ -14,13 +14,20 @@ function pickByInput(accept: string): Promise<PickedFile | null> {
     const input = document.createElement("input");
     input.type = "file";
     input.accept = accept;
+    input.hidden = true;
+    const end = (picked: PickedFile | null) => {
+      input.remove();
+      resolve(picked);
+    };
     input.addEventListener("change", () => {
       const file = input.files?.[0];
-      resolve(file === undefined ? null : { file, handle: null });
+      end(file === undefined ? null : { file, handle: null });
     });
     input.addEventListener("cancel", () => {
-      resolve(null);
+      end(null);
     });
+    // Safari may forget one that is not in the page before anything was chosen.
+    document.body.append(input);
     input.click();
   });
 }

@@ -91,7 +91,7 @@ export class Saver {
       await writeTo(handle, out);
       this.tell("file_saved", handle.name);
     } catch (error) {
-      this.target = null;
+      if (this.target?.handle === handle) this.target = null;
       const { studio } = this;
       const why = studio.word(reasonOf(error));
       studio.notify("problem", studio.word("file_not_saved", handle.name, why), {

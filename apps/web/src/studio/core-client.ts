@@ -39,6 +39,11 @@ export class CoreClient {
 
   constructor(private readonly options: CoreClientOptions) {}
 
+  /** The last event that was sent. */
+  get lastSequence(): number {
+    return this.sequence;
+  }
+
   async start(startWith: StartWith): Promise<void> {
     this.port?.end();
     // The worker's script is fetched while the core is.

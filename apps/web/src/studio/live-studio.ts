@@ -50,6 +50,8 @@ export class LiveStudio implements Studio {
   private readonly board = new NoticeBoard();
   private readonly watch = new WorkWatch();
   private readonly listeners = new Set<(frame: Frame) => void>();
+  /** Number of the last event that a frame has told of. */
+  private readonly answered = signal(0);
   private readonly exports = new Replies<number, readonly FileOut[]>();
   private readonly rawSessions = new Replies<string, Uint8Array>();
   private readonly byName = computed(
@@ -155,7 +157,7 @@ export class LiveStudio implements Studio {
 
   openSession(session: string | null): void {
     this.panel.value = null;
-    void settled(this.saveState).then(() =>
+    void settled(this.client.lastSequence, this.answered, this.saveState).then(() =>
       this.client.start(session === null ? { kind: "new" } : { kind: "session", session }),
     );
   }
@@ -250,6 +252,7 @@ export class LiveStudio implements Studio {
 
   private takeFrame(frame: Frame): void {
     this.watch.over();
+    this.answered.value = frame.sequence;
     for (const listener of this.listeners) listener(frame);
     if (frame.state !== null) this.takeState(frame.state);
     const isExport = this.exports.resolve((asked) => asked <= frame.sequence, frame.files);

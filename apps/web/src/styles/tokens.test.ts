@@ -35,7 +35,7 @@ const themes = {
 
 const grounds = ["chrome", "chrome-raised"];
 const texts = ["ink", "ink-soft", "danger", "warning", "good"];
-const marks = ["line-strong", "focus", "coral", "teal", "accent"];
+const marks = ["line-strong", "focus", "accent"];
 
 function pairs(fronts: readonly string[]): (readonly [string, string])[] {
   return fronts.flatMap((front) => grounds.map((ground) => [front, ground] as const));
