@@ -55,7 +55,7 @@ function HintCard() {
   const step = hintToShow(advanced, facts);
   if (step === null) return null;
   return (
-    <aside class="hint" data-away={isDrawing} aria-label={studio.word("hints")}>
+    <aside class="hint under-head" data-away={isDrawing} aria-label={studio.word("hints")}>
       <span class="hint-dots" aria-hidden="true">
         {hintSteps.map((each, index) => (
           <span key={each} data-done={index < advanced} data-now={each === step} />

@@ -11,7 +11,7 @@ export function LongWorkBar() {
   const work = studio.longWork.value;
   if (work === null) return null;
   return (
-    <section class="long-work" aria-labelledby={labelId}>
+    <section class="long-work under-head surface-raised" aria-labelledby={labelId}>
       <span id={labelId} class="long-work-stage">
         {studio.word(stageWord(work.stage))}
       </span>
