@@ -79,7 +79,11 @@ export async function inflating(browser, origin) {
   ];
   rmSync(folder, { recursive: true });
 
+  // Another drawing than the last: its model is made from nothing.
   await studio.act("mode_draw");
+  await studio.act("new");
+  await studio.openFile("drawing.inkflate", readFileSync(character));
+  await studio.until("opened", (state) => state.layers.length > 0);
   const tasks = await tasksDuring(browser, page, async () => {
     await studio.act("mode_inflate");
     await page.waitForTimeout(1500);
