@@ -3,14 +3,14 @@
 import { spawnSync } from "node:child_process";
 import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { extname, join } from "node:path";
 import { topFolder } from "../harness/folders.mjs";
 import { tasksDuring } from "../harness/trace.mjs";
 import { ms, openStudio, percentile } from "./open-studio.mjs";
 
 const program = join(topFolder, "build/release/inkflate");
 const sketch = join(topFolder, "examples/sketches/crab.svg");
-const character = join(topFolder, "examples/characters/dog.svg");
+const character = join(topFolder, "build/gallery/dog.inkflate");
 const runs = 7;
 
 /** Runs in the page: from an action to the frame that shows what it has done. */
@@ -34,7 +34,7 @@ async function inStudio({ studio, page }, file, action, kind) {
     await studio.act("mode_draw");
     await studio.act("new");
     await studio.until("blank", (state) => state.isBlank);
-    await studio.openFile("drawing.svg", readFileSync(file));
+    await studio.openFile(`drawing${extname(file)}`, readFileSync(file));
     const wanted = (state) => (kind === "model" ? state.layers.length > 0 : state.hasRoughStrokes);
     await studio.until("opened", wanted);
     await page.waitForTimeout(400);
@@ -60,7 +60,7 @@ function replayed(folder, events) {
 /** What one key costs the native editor: a recording with it less the same one without. */
 function native(folder, file, key) {
   // Recordings open what lies beside them.
-  const open = { open: "drawing.svg" };
+  const open = { open: `drawing${extname(file)}` };
   copyFileSync(file, join(folder, open.open));
   return replayed(folder, [open, { key }]) - replayed(folder, [open]);
 }
@@ -74,12 +74,16 @@ export async function inflating(browser, origin) {
   const rows = [
     ["simplify crab.svg: median, first", `${ms(simplify.median)}, ${ms(simplify.first)}`],
     ["simplify crab.svg: native", ms(native(folder, sketch, "Enter"))],
-    ["inflate dog.svg: median, first", `${ms(inflate.median)}, ${ms(inflate.first)}`],
-    ["inflate dog.svg: native", ms(native(folder, character, "2"))],
+    ["inflate dog.inkflate: median, first", `${ms(inflate.median)}, ${ms(inflate.first)}`],
+    ["inflate dog.inkflate: native", ms(native(folder, character, "2"))],
   ];
   rmSync(folder, { recursive: true });
 
+  // Another drawing than the last: its model is made from nothing.
   await studio.act("mode_draw");
+  await studio.act("new");
+  await studio.openFile("drawing.inkflate", readFileSync(character));
+  await studio.until("opened", (state) => state.layers.length > 0);
   const tasks = await tasksDuring(browser, page, async () => {
     await studio.act("mode_inflate");
     await page.waitForTimeout(1500);
@@ -87,7 +91,7 @@ export async function inflating(browser, origin) {
   await world.context.close();
   return [
     ...rows,
-    ["while inflating: longest task of the page", ms(tasks.main[0])],
-    ["while inflating: longest task of the core's worker", ms(tasks.worker[0] ?? NaN)],
+    ["longest task of the page, processor time", ms(tasks.main[0])],
+    ["longest task of the core's worker, processor time", ms(tasks.worker[0] ?? NaN)],
   ];
 }

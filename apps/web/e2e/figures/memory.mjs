@@ -5,8 +5,8 @@ import { memoryOf } from "../harness/memory.mjs";
 import { manyStrokes } from "./drawing.mjs";
 import { MB, openStudio } from "./open-studio.mjs";
 
-const told = ({ pageMB, workerMB, wasmMB }) =>
-  `page ${MB(pageMB)}, worker ${MB(workerMB)}, WebAssembly ${MB(wasmMB)}`;
+const told = ({ pageMB, workerMB, processesMB }) =>
+  `page ${MB(pageMB)}, worker ${MB(workerMB)}, processes ${MB(processesMB)}`;
 
 export async function memory(browser, origin) {
   const world = await openStudio(browser, origin);

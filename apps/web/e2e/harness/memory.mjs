@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much memory a page and its workers hold, after all garbage has gone.
 
+import { readFileSync } from "node:fs";
+
 const mega = (bytes) => bytes / 1024 / 1024;
 
 /** Speaks with the workers of a page, which have their own ends of the browser's protocol. */
@@ -39,20 +41,23 @@ class Workers {
   }
 }
 
-/** Bytes of all WebAssembly memories of a worker. */
-async function wasmBytes(workers, session) {
-  const expression = "WebAssembly.Memory.prototype";
-  const prototype = await workers.ask(session, "Runtime.evaluate", { expression });
-  const { objects } = await workers.ask(session, "Runtime.queryObjects", {
-    prototypeObjectId: prototype.result.objectId,
-  });
-  const sum = await workers.ask(session, "Runtime.callFunctionOn", {
-    objectId: objects.objectId,
-    functionDeclaration:
-      "function () { return this.reduce((sum, m) => sum + m.buffer.byteLength, 0); }",
-    returnByValue: true,
-  });
-  return sum.result.value;
+/** What the processes that show pages hold for themselves: all of WebAssembly, bitmaps and textures too. NaN where there is no /proc. */
+async function processBytes(browser) {
+  const cdp = await browser.newBrowserCDPSession();
+  const { processInfo } = await cdp.send("SystemInfo.getProcessInfo");
+  await cdp.detach();
+  return processInfo
+    .filter(({ type }) => type === "renderer" || type === "GPU")
+    .reduce((sum, { id }) => sum + ownBytes(id), 0);
+}
+
+function ownBytes(process) {
+  try {
+    const status = readFileSync(`/proc/${process}/status`, "utf8");
+    return 1024 * Number(/RssAnon:\s+([0-9]+)/.exec(status)?.[1]);
+  } catch {
+    return NaN;
+  }
 }
 
 /** Objects of scripts, and what hangs on them: nodes of the page, buffers. */
@@ -68,13 +73,13 @@ export async function memoryOf(page) {
   const found = {
     pageMB: held(await cdp.send("Runtime.getHeapUsage")),
     workerMB: 0,
-    wasmMB: 0,
+    processesMB: 0,
   };
   for (const session of workers.all) {
     await workers.ask(session, "HeapProfiler.collectGarbage");
     found.workerMB += held(await workers.ask(session, "Runtime.getHeapUsage"));
-    found.wasmMB += mega(await wasmBytes(workers, session));
   }
   await cdp.detach();
+  found.processesMB = mega(await processBytes(page.context().browser()));
   return found;
 }

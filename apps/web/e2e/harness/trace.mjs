@@ -12,7 +12,8 @@ function threadsOf(events) {
 }
 
 /**
- * Does something and tells of each thread of the page's process the longest task, ms.
+ * Does something and tells of each thread of the page's process the longest task, ms of processor time: without a GPU, and beside other
+ * programs, the clock mostly tells how long the thread waited for its turn, or for the process that paints.
  * @returns {Promise<{main: number[], worker: number[]}>} longest first
  */
 export async function tasksDuring(browser, page, doing) {
@@ -22,9 +23,9 @@ export async function tasksDuring(browser, page, doing) {
   const threads = threadsOf(traceEvents);
   const tasks = (name) =>
     traceEvents
-      .filter((event) => event.dur !== undefined && /RunTask$/.test(event.name))
+      .filter((event) => event.tdur !== undefined && /RunTask$/.test(event.name))
       .filter((event) => threads.get(`${event.pid} ${event.tid}`)?.includes(name))
-      .map((event) => event.dur / 1000)
+      .map((event) => event.tdur / 1000)
       .sort((a, b) => b - a);
   return { main: tasks("CrRendererMain"), worker: tasks("DedicatedWorker") };
 }
