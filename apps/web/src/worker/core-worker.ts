@@ -6,10 +6,18 @@ import type {
   StudioRequest,
   ToWorker,
 } from "../protocol/messages";
+import type { SceneUpdate } from "../protocol/scene";
 import type { JournalStore } from "../storage/journal-store";
 import type { CoreEngine } from "./engine";
 import type { EngineChanges } from "./engine-changes";
 import { describeWhenIdle, type IdleDescriber } from "./idle-describer";
+
+/** Of a scene's arrays, which share one buffer: it is handed over, not copied. */
+function buffersOf(scene: SceneUpdate | null): Transferable[] {
+  const lists = scene?.chunks.map(({ list }) => list) ?? [];
+  const any = [scene?.model?.mesh?.positions, ...lists].find((array) => array?.buffer);
+  return any ? [any.buffer] : [];
+}
 
 type Post = (message: FromWorker, transfer?: Transferable[]) => void;
 
@@ -107,7 +115,7 @@ export class CoreWorker {
   private sendFrame(): void {
     const scene = this.isSceneStale ? this.engine.scene() : null;
     const state = this.isStateStale ? this.engine.state() : null;
-    const transfer: Transferable[] = this.files.map((file) => file.bytes.buffer);
+    const transfer = [...this.files.map((file) => file.bytes.buffer), ...buffersOf(scene)];
     this.post(
       {
         kind: "frame",
