@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { RefObject } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 /** What opens panels closes them too: a press on it is no press outside. */
 const openers = "[aria-expanded], [aria-haspopup]";
@@ -33,9 +33,9 @@ export function useDismissal(root: RefObject<HTMLElement>, onClose: () => void):
   }, [root]);
 }
 
-/** Takes the focus in and, when it goes, gives it back to what had it. */
+/** Takes the focus in at once, for keys that follow, and, when it goes, gives it back to what had it. */
 export function useBorrowedFocus(root: RefObject<HTMLElement>): void {
-  useEffect(() => {
+  useLayoutEffect(() => {
     const opener = document.activeElement;
     const panel = root.current;
     const first = panel?.querySelector<HTMLElement>("[data-first-focus]") ?? panel;
