@@ -51,7 +51,7 @@ TEST(ModelPlacement, TurningAModelThatIsFittedFromItsFrontKeepsItsSizeAndItsMidd
   EXPECT_EQ(front.box, model_placement(model, {}, kWidth, kHeight).box);
   auto const middle = front.centre;  // from the front the model's own space is that of the view
   for (double const turn : {-2.0, 0.4, 1.5}) {
-    auto const turned = of({turn, 0.3});
+    auto const turned = of({turn, 0.3, 1, {}});
     EXPECT_EQ(turned.scale, front.scale);
     EXPECT_LT(norm(turned(middle)), 1e-9);
   }
