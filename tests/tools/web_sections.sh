@@ -21,7 +21,7 @@ web_types_lint_format() {
 # A file that cannot even be loaded holds no test that could fail, so it is counted itself.
 web_unit_tests() {
   local report=build/vitest.json status counts
-  need_node_modules || return
+  need_node_modules && build_target wasm studio_core || return
   rm -f "$report"
   (cd apps/web && node_modules/.bin/vitest run --reporter=dot --reporter=json --outputFile.json="../../$report") >"$log" 2>&1
   status=$?
