@@ -39,8 +39,10 @@ async function removeOlder(): Promise<void> {
 
 async function answer(request: Request): Promise<Response> {
   const cache = await caches.open(cacheName);
-  // Whatever stands behind the address of the page, it is the one page.
-  const wanted = request.mode === "navigate" ? home : request;
+  // Whatever stands behind the address of the page, it is the one page; other files that are opened by themselves are those files.
+  const { pathname } = new URL(request.url);
+  const isPage = pathname.replace(/index\.html$/, "") === new URL(home).pathname;
+  const wanted = isPage ? home : request;
   const kept = (await cache.match(wanted, { ignoreSearch: true })) ?? (await caches.match(request));
   return kept ?? fetch(request);
 }

@@ -26,8 +26,7 @@ async function crash(page) {
   await end;
   await page.close();
   const witness = await context.newPage();
-  // A picture asks for no icon of its own, which would not be there.
-  await witness.goto(`${origin}/icons/icon-192.png`);
+  await witness.goto(`${origin}/manifest.webmanifest`);
   await witness.evaluate(untilLocksAreFree);
   await witness.close();
 }
