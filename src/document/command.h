@@ -100,6 +100,28 @@ struct TransformLayers {
   Affine map;                   // finite, determinant not 0
 };
 
+/// Layers and rough strokes take another shape; what they are stays. The shapes come with the command, as those of Simplify do.
+struct Bend {
+  struct Part {
+    LayerId layer = LayerId::None;  // not locked
+    std::vector<Outline> outlines;  // as many as it has; sources name the strokes that they named
+    std::vector<Vec2> samples;      // of all its strokes, one after the other, as many as they have
+    std::vector<Vec2> marks;        // of its choice: those outside, then those inside
+  };
+  struct Line {
+    StrokeRef stroke;           // a rough one
+    std::vector<Vec2> samples;  // as many as it has
+  };
+  std::vector<Part> parts;       // each layer once
+  std::vector<Line> lines = {};  // each stroke once; with the parts at least one in all
+};
+
+/// The places by which a layer is held while it is bent, instead of those before. TransformLayers moves them; Simplify forgets them.
+struct SetBendPins {
+  LayerId layer = LayerId::None;  // not locked
+  std::vector<BendPin> pins;      // at most DocumentLimits::kBendPins; finite, within 1e6 px
+};
+
 struct RenameLayer {
   LayerId layer = LayerId::None;
   std::string name;  // at most 200 bytes, UTF-8
@@ -170,8 +192,8 @@ struct Replace {
 
 using Command =
     std::variant<AddStroke, EraseArea, EraseStrokes, Simplify, OpenLayer, RedrawLayer, CloseLayer,
-                 DeleteLayers, DuplicateLayer, SetLayerOrder, TransformLayers, RenameLayer,
-                 SetThickness, SetFill, SetHidden, SetLocked, SetChoice, SetTemplate, SetCanvas,
-                 AddPin, MovePins, DeletePins, SetTrack, SetClipLength, Replace>;
+                 DeleteLayers, DuplicateLayer, SetLayerOrder, TransformLayers, Bend, SetBendPins,
+                 RenameLayer, SetThickness, SetFill, SetHidden, SetLocked, SetChoice, SetTemplate,
+                 SetCanvas, AddPin, MovePins, DeletePins, SetTrack, SetClipLength, Replace>;
 
 }  // namespace inkflate

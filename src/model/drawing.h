@@ -38,8 +38,8 @@ struct InkSource {
   friend bool operator==(InkSource const&, InkSource const&) = default;
 };
 
-/// A closed curve without self-crossings: each piece starts exactly where the one before ends, the first where
-/// the last ends. Outer outlines have positive area, holes negative (geometry/polyline.h).
+/// A closed curve: each piece starts exactly where the one before ends, the first where the last ends. Outer outlines have positive area, holes negative (geometry/polyline.h). It crosses itself only where a part was bent
+/// over itself; its area is where it winds around at all (non-zero).
 struct Outline {
   std::vector<OutlinePiece> pieces;
   std::vector<InkSource> sources;  // in outline order; stretches without ink have none
@@ -59,6 +59,14 @@ struct CloseChoice {
 /// Names a layer for as long as its document lives, wherever it stands in the order.
 enum class LayerId : int { None = 0 };
 
+/// A place by which a layer is held while it is bent.
+struct BendPin {
+  Vec2 position;                        // canvas px
+  std::optional<double> turn_rad = {};  // of the line around it; none: it turns as it likes
+
+  friend bool operator==(BendPin const&, BendPin const&) = default;
+};
+
 /// One part of a character.
 struct Layer {
   std::string name;
@@ -75,6 +83,7 @@ struct Layer {
   bool is_hidden = false;       // not shown, not inflated
   bool is_locked = false;       // not to be touched by hand
   bool is_open = false;  // being drawn again: its outlines are those of before, if there are any
+  std::vector<BendPin> bend_pins = {};
 
   friend bool operator==(Layer const&, Layer const&) = default;
 };

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/tri_mesh.h"
+
+namespace inkflate {
+
+/// A drawn line by the vertices along it.
+struct BendLine {
+  std::vector<int> vertices;
+  bool is_closed = false;
+};
+
+/// What resists when a shape is bent: triangles, each with its own stiffness.
+struct BendMesh {
+  FlatMesh rest;                  // positive area in every triangle
+  std::vector<double> stiffness;  // > 0, one per triangle
+  std::vector<BendLine> lines;    // the outer contour, then the holes; or each stroke
+  double edge_px = 0;             // > 0: of the edges along the lines, about
+};
+
+/// Where each vertex of a BendMesh lies now, canvas px.
+using BendPose = std::vector<Vec2>;
+
+/// A place of the shape: a triangle of its mesh and the weights of its corners, whose sum is 1. Places a little beside the mesh have
+/// a negative weight.
+struct BendAnchor {
+  int triangle = 0;
+  std::array<double, 3> weights = {1, 0, 0};
+};
+
+Vec2 place_of(FlatMesh const& mesh, std::span<Vec2 const> pose, BendAnchor const& anchor);
+
+/// A place of the shape that is held, and where it shall go.
+struct BendHandle {
+  BendAnchor anchor;
+  Vec2 target;  // canvas px
+  std::optional<double> turn_rad =
+      {};  // the shape around it is turned by this from its rest; none: as it likes. Screen-wise: x to y
+};
+
+/// What holds a shape while it is bent.
+struct BendHold {
+  std::span<BendHandle const> handles = {};  // any number, also at the same place
+  std::span<char const> is_fixed = {};       // per vertex: it stays where it is; empty: none does
+};
+
+/// What a solver has done.
+struct BendProgress {
+  double energy = 0;           // with the handles' share, after the steps
+  double decrement = 0;        // how much the next step would gain at most, about; 0 at the minimum
+  double largest_move_px = 0;  // of a vertex in the last step
+  bool is_settled =
+      false;  // nothing would move any more that one could see: further steps are idle
+};
+
+}  // namespace inkflate

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace inkflate {
+
+enum class BendMode {
+  Body,  // the filled shape resists: what is near follows, nothing folds over
+  Wire,  // the thesis' strip along the line: soft, for comparison
+};
+
+struct BendOptions {
+  BendMode mode = BendMode::Body;
+  double body =
+      1;  // kLeastBody .. 1: how stiff the inside is beside the line. 1 bends a body, less a wire; of mode Body
+  double strip_half_width_px =
+      0;  // >= 0: of mode Wire; 0: as wide as the spacing of the line's vertices
+
+  static constexpr double kLeastBody = 0.003;  // docs/algorithms/deform.md
+};
+
+}  // namespace inkflate
