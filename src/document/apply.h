@@ -15,11 +15,13 @@ struct DocumentLimits {
   static constexpr int kSamplesOfStroke = 1'000'000;
   static constexpr int kLayers = 1024;
   static constexpr int kPins = 1024;
-  static constexpr int kKeys = 100'000;       // of a track
-  static constexpr int kMarks = 1024;         // of a choice, of each kind
-  static constexpr double kFarthestPx = 1e6;  // of any coordinate
-  static constexpr double kClipS = 86400;     // a day
-  static constexpr int kIds = 2'000'000'000;  // that are ever given to layers and pins
+  static constexpr int kBendPins = 256;         // of a layer
+  static constexpr double kBendTurnRad = 1000;  // of a bend pin, to either side
+  static constexpr int kKeys = 100'000;         // of a track
+  static constexpr int kMarks = 1024;           // of a choice, of each kind
+  static constexpr double kFarthestPx = 1e6;    // of any coordinate
+  static constexpr double kClipS = 86400;       // a day
+  static constexpr int kIds = 2'000'000'000;    // that are ever given to layers and pins
 };
 
 /// The document after one command.

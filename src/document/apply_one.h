@@ -19,6 +19,8 @@ Result<Document> apply_one(Document const& document, DeleteLayers const& command
 Result<Document> apply_one(Document const& document, DuplicateLayer const& command);
 Result<Document> apply_one(Document const& document, SetLayerOrder const& command);
 Result<Document> apply_one(Document const& document, TransformLayers const& command);
+Result<Document> apply_one(Document const& document, Bend const& command);
+Result<Document> apply_one(Document const& document, SetBendPins const& command);
 Result<Document> apply_one(Document const& document, RenameLayer const& command);
 Result<Document> apply_one(Document const& document, SetThickness const& command);
 Result<Document> apply_one(Document const& document, SetFill const& command);

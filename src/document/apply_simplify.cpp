@@ -149,6 +149,7 @@ class Simplifying {
     for (auto& layer : dealt.layers) {
       layer.layer.is_open = false;
       layer.layer.is_locked = false;
+      layer.layer.bend_pins.clear();
       layer.layer.id = static_cast<LayerId>(next_id_++);
       made.push_back(std::make_shared<DocumentLayer const>(std::move(layer)));
     }

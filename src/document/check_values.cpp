@@ -135,6 +135,19 @@ Fault name_fault(std::string_view name) {
   return {};
 }
 
+Fault bend_pins_fault(std::vector<BendPin> const& pins) {
+  if (std::ssize(pins) > Limits::kBendPins) {
+    return too_large("more than 256 pins that hold a part while it is bent; remove some");
+  }
+  for (auto const& pin : pins) {
+    if (!is_on_sheet(pin.position)) return off_sheet("a pin");
+    if (pin.turn_rad && !is_within(*pin.turn_rad, -Limits::kBendTurnRad, Limits::kBendTurnRad)) {
+      return bad_option("a pin's turn is no number or more than 1000 rad");
+    }
+  }
+  return {};
+}
+
 Fault layer_fault(Layer const& layer, int stroke_count) {
   for (auto const* indices : {&layer.strokes, &layer.details, &layer.noise}) {
     if (!are_indices(*indices, stroke_count)) {
@@ -146,6 +159,7 @@ Fault layer_fault(Layer const& layer, int stroke_count) {
   }
   if (auto fault = thickness_fault(layer.thickness)) return fault;
   if (!is_utf8(layer.name)) return not_utf8();
+  if (auto fault = bend_pins_fault(layer.bend_pins)) return fault;
   return choice_fault(layer.choice);
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 #include "geometry/vec2.h"
@@ -25,6 +26,7 @@ Fault stroke_fault(Stroke const& stroke, int group_count);
 Fault choice_fault(CloseChoice const& choice);
 Fault thickness_fault(double thickness);
 Fault name_fault(std::string_view name);
+Fault bend_pins_fault(std::vector<BendPin> const& pins);
 /// Its values, and its indices into stroke_count strokes. Its name may be as long as a file has it.
 Fault layer_fault(Layer const& layer, int stroke_count);
 Fault pin_fault(Pin const& pin);

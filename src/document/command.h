@@ -100,13 +100,15 @@ struct TransformLayers {
   Affine map;                   // finite, determinant not 0
 };
 
-/// Layers and rough strokes take another shape; what they are stays. The shapes come with the command, as those of Simplify do.
+/// Layers and rough strokes take another shape; what they are stays. The shapes come with the command, as those of Simplify do. Outlines that
+/// an open layer still has forget the rough strokes that were bent, as if those had been drawn anew.
 struct Bend {
   struct Part {
     LayerId layer = LayerId::None;  // not locked
-    std::vector<Outline> outlines;  // as many as it has; sources name the strokes that they named
-    std::vector<Vec2> samples;      // of all its strokes, one after the other, as many as they have
-    std::vector<Vec2> marks;        // of its choice: those outside, then those inside
+    std::vector<Outline>
+        outlines;               // as many as it has; kinds and sources follow each other as before
+    std::vector<Vec2> samples;  // of all its strokes, one after the other, as many as they have
+    std::vector<Vec2> marks;    // of its choice: those outside, then those inside
   };
   struct Line {
     StrokeRef stroke;           // a rough one
@@ -119,7 +121,8 @@ struct Bend {
 /// The places by which a layer is held while it is bent, instead of those before. TransformLayers moves them; Simplify forgets them.
 struct SetBendPins {
   LayerId layer = LayerId::None;  // not locked
-  std::vector<BendPin> pins;      // at most DocumentLimits::kBendPins; finite, within 1e6 px
+  std::vector<BendPin>
+      pins;  // at most DocumentLimits::kBendPins; finite, within 1e6 px and 1000 rad
 };
 
 struct RenameLayer {

@@ -59,6 +59,10 @@ Outline transformed(Outline outline, Affine const& map) {
 Layer transformed(Layer layer, Affine const& map) {
   for (auto& outline : layer.outlines) outline = transformed(std::move(outline), map);
   layer.choice = transformed(std::move(layer.choice), map);
+  for (auto& pin : layer.bend_pins) {
+    pin.position = map(pin.position);
+    if (pin.turn_rad && map.determinant() < 0) pin.turn_rad = -*pin.turn_rad;
+  }
   return layer;
 }
 

@@ -10,8 +10,8 @@
 namespace inkflate {
 
 ActionHandler const* find_handler(std::string_view action) {
-  std::array const parts = {edit_handlers(), draw_handlers(), part_handlers(),
-                            view_handlers(), tool_handlers(), file_handlers()};
+  std::array const parts = {edit_handlers(), draw_handlers(), part_handlers(), view_handlers(),
+                            tool_handlers(), pin_handlers(),  file_handlers()};
   for (auto const& part : parts) {
     auto const found = std::find_if(part.begin(), part.end(), [&](ActionHandler const& handler) {
       return handler.name == action;
@@ -37,6 +37,10 @@ void run_action(EditorTurn& turn, std::string_view action, std::string const& ar
 
 bool always(EditorState const& /*state*/) { return true; }
 bool has_selection(EditorState const& state) { return !state.view.selection.empty(); }
+bool has_pin(EditorState const& state) { return state.view.pin.has_value(); }
+bool has_pin_or_selection(EditorState const& state) {
+  return has_pin(state) || has_selection(state);
+}
 
 std::optional<double> number_of(std::string_view argument) {
   auto rest = trimmed(argument);

@@ -21,6 +21,7 @@ std::span<ActionHandler const> draw_handlers();
 std::span<ActionHandler const> part_handlers();
 std::span<ActionHandler const> view_handlers();
 std::span<ActionHandler const> tool_handlers();
+std::span<ActionHandler const> pin_handlers();
 std::span<ActionHandler const> file_handlers();
 
 /// Null: an action that the studio does itself.
@@ -32,6 +33,8 @@ void run_action(EditorTurn& turn, std::string_view action, std::string const& ar
 /// Rules for is_enabled that more than one part has.
 bool always(EditorState const& state);
 bool has_selection(EditorState const& state);
+bool has_pin(EditorState const& state);
+bool has_pin_or_selection(EditorState const& state);
 
 /// The argument as a number; nothing when it is none.
 std::optional<double> number_of(std::string_view argument);

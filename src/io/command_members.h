@@ -96,6 +96,24 @@ struct CommandText<TransformLayers> {
 };
 
 template <>
+struct CommandText<Bend> {
+  static constexpr std::string_view kName = "bend";
+  static void members(auto& each, auto& command) {
+    each("parts", command.parts);
+    each("lines", command.lines);
+  }
+};
+
+template <>
+struct CommandText<SetBendPins> {
+  static constexpr std::string_view kName = "set_bend_pins";
+  static void members(auto& each, auto& command) {
+    each("layer", command.layer);
+    each("pins", command.pins);
+  }
+};
+
+template <>
 struct CommandText<RenameLayer> {
   static constexpr std::string_view kName = "rename_layer";
   static void members(auto& each, auto& command) {

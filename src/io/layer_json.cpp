@@ -20,6 +20,8 @@ Json kinds_json(std::vector<OutlinePiece> const& pieces) {
   return kinds;
 }
 
+}  // namespace
+
 Json outline_json(Outline const& outline) {
   std::vector<Vec2> points;
   if (!outline.pieces.empty()) points.push_back(outline.pieces[0].curve.start());
@@ -38,6 +40,8 @@ Json outline_json(Outline const& outline) {
   json["sources"] = std::move(sources);
   return json;
 }
+
+namespace {
 
 void take_kinds(JsonTaker& take, nlohmann::json const& json, std::vector<OutlinePiece>& pieces) {
   std::size_t next = 0;
@@ -69,6 +73,8 @@ std::vector<OutlinePiece> take_pieces(JsonTaker& take, nlohmann::json const& jso
   return pieces;
 }
 
+}  // namespace
+
 Outline take_outline(JsonTaker& take, nlohmann::json const& json, std::ptrdiff_t stroke_count) {
   Outline outline;
   outline.pieces = take_pieces(take, json);
@@ -88,8 +94,6 @@ Outline take_outline(JsonTaker& take, nlohmann::json const& json, std::ptrdiff_t
   }
   return outline;
 }
-
-}  // namespace
 
 Json choice_json(CloseChoice const& choice) {
   Json json = Json::object();
@@ -111,6 +115,25 @@ CloseChoice take_choice(JsonTaker& take, nlohmann::json const& json) {
   return choice;
 }
 
+Json bend_pin_json(BendPin const& pin) {
+  Json json;
+  json["position"] = Json::array({pin.position.x, pin.position.y});
+  if (pin.turn_rad) json["turn"] = *pin.turn_rad;
+  return json;
+}
+
+std::vector<BendPin> take_bend_pins(JsonTaker& take, nlohmann::json const& json, char const* name) {
+  std::vector<BendPin> pins;
+  for (auto const& value : take.list(json, name)) {
+    auto& pin = pins.emplace_back();
+    pin.position = take.point(take.find(value, "position"), "position", kCoordinateLimit);
+    if (auto const* const turn = take.find(value, "turn")) {
+      pin.turn_rad = take.number(turn, "turn", -kAnyNumber, kAnyNumber);
+    }
+  }
+  return pins;
+}
+
 Json layer_json(Layer const& layer) {
   Json outlines = Json::array();
   for (auto const& outline : layer.outlines) outlines.push_back(outline_json(outline));
@@ -124,6 +147,7 @@ Json layer_json(Layer const& layer) {
   json["strokes"] = layer.strokes;
   json["details"] = layer.details;
   if (!layer.noise.empty()) json["noise"] = layer.noise;
+  for (auto const& pin : layer.bend_pins) json["bend_pins"].push_back(bend_pin_json(pin));
   return json;
 }
 
@@ -145,6 +169,7 @@ Layer take_layer(JsonTaker& take, nlohmann::json const& json, std::ptrdiff_t str
   layer.strokes = take.indices(json, "strokes", 0, stroke_count);
   layer.details = take.indices(json, "details", 0, stroke_count);
   layer.noise = take.indices(json, "noise", 0, stroke_count);
+  layer.bend_pins = take_bend_pins(take, json, "bend_pins");
   return layer;
 }
 

@@ -69,6 +69,11 @@ class MemberReader {
   void operator()(char const* name, std::vector<StrokeRef>& refs);
   void operator()(char const* name, std::vector<Simplify::Set>& sets);
   void operator()(char const* name, std::vector<Simplify::Details>& details);
+  void operator()(char const* name, std::vector<Bend::Part>& parts);
+  void operator()(char const* name, std::vector<Bend::Line>& lines);
+  void operator()(char const* name, std::vector<BendPin>& pins) {
+    pins = take_bend_pins(take_, json_, name);
+  }
   void operator()(char const* name, Shared<Picture>& picture);
   void operator()(char const* name, Document& document);
 
@@ -82,17 +87,19 @@ class MemberReader {
     return LayerId{take_.index(value, name, 0, kAnyCount)};
   }
 
+  StrokeRef take_ref(Json const* value, char const* name) {
+    auto const* const pair = take_.tuple(value, name, 2);
+    if (pair == nullptr) return {};
+    return {take_id(pair->data(), name), take_.index(&(*pair)[1], name, 0, kAnyCount)};
+  }
+
   JsonTaker& take_;
   Json const& json_;
   Json const none_;
 };
 
 void MemberReader::operator()(char const* name, std::vector<StrokeRef>& refs) {
-  for (auto const& value : take_.list(json_, name)) {
-    auto const* const pair = take_.tuple(&value, name, 2);
-    if (pair == nullptr) return;
-    refs.push_back({take_id(pair->data(), name), take_.index(&(*pair)[1], name, 0, kAnyCount)});
-  }
+  for (auto const& value : take_.list(json_, name)) refs.push_back(take_ref(&value, name));
 }
 
 void MemberReader::operator()(char const* name, std::vector<Simplify::Set>& sets) {
@@ -115,6 +122,27 @@ void MemberReader::operator()(char const* name, std::vector<Simplify::Details>& 
     take_.enter("details", std::ssize(details));
     details.push_back({take_id(take_.find(value, "layer"), "layer"),
                        take_.indices(value, "strokes", 0, kAnyCount)});
+  }
+}
+
+void MemberReader::operator()(char const* name, std::vector<Bend::Part>& parts) {
+  for (auto const& value : take_.list(json_, name)) {
+    take_.enter("part", std::ssize(parts));
+    auto& part = parts.emplace_back();
+    part.layer = take_id(take_.find(value, "layer"), "layer");
+    for (auto const& outline : take_.list(value, "outlines")) {
+      part.outlines.push_back(take_outline(take_, outline, kAnyCount));
+    }
+    part.samples = take_.points(value, "samples", kAnyNumber);
+    part.marks = take_.points(value, "marks", kAnyNumber);
+  }
+}
+
+void MemberReader::operator()(char const* name, std::vector<Bend::Line>& lines) {
+  for (auto const& value : take_.list(json_, name)) {
+    take_.enter("line", std::ssize(lines));
+    lines.push_back({take_ref(take_.find(value, "stroke"), "stroke"),
+                     take_.points(value, "samples", kAnyNumber)});
   }
 }
 

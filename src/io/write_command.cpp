@@ -16,12 +16,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json stroke_refs_json(std::vector<StrokeRef> const& refs) {
-  Json json = Json::array();
-  for (auto const& ref : refs) {
-    json.push_back(Json::array({static_cast<int>(ref.layer), ref.index}));
-  }
+Json stroke_ref_json(StrokeRef ref) {
+  return Json::array({static_cast<int>(ref.layer), ref.index});
+}
+
+Json bent_part_json(Bend::Part const& part) {
+  Json json;
+  json["layer"] = static_cast<int>(part.layer);
+  json["outlines"] = Json::array();
+  for (auto const& outline : part.outlines) json["outlines"].push_back(outline_json(outline));
+  json["samples"] = points_json(part.samples);
+  if (!part.marks.empty()) json["marks"] = points_json(part.marks);
   return json;
+}
+
+Json bent_line_json(Bend::Line const& line) {
+  return {{"stroke", stroke_ref_json(line.stroke)}, {"samples", points_json(line.samples)}};
 }
 
 Json set_json(Simplify::Set const& set) {
@@ -64,7 +74,8 @@ class MemberWriter {
   void operator()(char const* name, Pin const& value) { json_[name] = pin_json(value); }
   void operator()(char const* name, Track const& value) { json_[name] = track_json(value); }
   void operator()(char const* name, std::vector<StrokeRef> const& value) {
-    json_[name] = stroke_refs_json(value);
+    json_[name] = Json::array();
+    for (auto const ref : value) json_[name].push_back(stroke_ref_json(ref));
   }
   void operator()(char const* name, std::vector<Simplify::Set> const& sets) {
     json_[name] = Json::array();
@@ -74,6 +85,17 @@ class MemberWriter {
     for (auto const& [layer, strokes] : details) {
       json_[name].push_back({{"layer", static_cast<int>(layer)}, {"strokes", strokes}});
     }
+  }
+  void operator()(char const* name, std::vector<Bend::Part> const& parts) {
+    json_[name] = Json::array();
+    for (auto const& part : parts) json_[name].push_back(bent_part_json(part));
+  }
+  void operator()(char const* name, std::vector<Bend::Line> const& lines) {
+    for (auto const& line : lines) json_[name].push_back(bent_line_json(line));
+  }
+  void operator()(char const* name, std::vector<BendPin> const& pins) {
+    json_[name] = Json::array();
+    for (auto const& pin : pins) json_[name].push_back(bend_pin_json(pin));
   }
   void operator()(char const* name, Shared<Picture> const& picture) {
     if (!picture) return;
