@@ -10,8 +10,8 @@
 namespace inkflate {
 
 ActionHandler const* find_handler(std::string_view action) {
-  std::array const parts = {edit_handlers(), draw_handlers(), part_handlers(),
-                            view_handlers(), tool_handlers(), file_handlers()};
+  std::array const parts = {edit_handlers(), draw_handlers(), part_handlers(), view_handlers(),
+                            tool_handlers(), pin_handlers(),  file_handlers()};
   for (auto const& part : parts) {
     auto const found = std::find_if(part.begin(), part.end(), [&](ActionHandler const& handler) {
       return handler.name == action;

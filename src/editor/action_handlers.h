@@ -21,6 +21,7 @@ std::span<ActionHandler const> draw_handlers();
 std::span<ActionHandler const> part_handlers();
 std::span<ActionHandler const> view_handlers();
 std::span<ActionHandler const> tool_handlers();
+std::span<ActionHandler const> pin_handlers();
 std::span<ActionHandler const> file_handlers();
 
 /// Null: an action that the studio does itself.

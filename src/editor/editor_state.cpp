@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "document/apply.h"
+#include "editor/pins.h"
 
 namespace inkflate {
 namespace {
@@ -174,6 +175,8 @@ void follow_document(EditorTurn& turn) {
   auto const& document = state.history.document();
   set_selection(turn, state.view.selection);
   if (find_layer(document, state.view.hover) == nullptr) state.view.hover = LayerId::None;
+  auto& pin = state.view.pin;
+  if (pin && find_pin(document, *pin) == nullptr) pin.reset();
   state.is_preview_stale = has_rough_strokes(document);
   if (!state.is_preview_stale) state.preview = {};
   changes.is_document_changed = changes.is_scene_changed = changes.is_state_changed = true;

@@ -32,13 +32,18 @@ enum class Word {
   Exported,
   Recovered,
   RecoveredInPart,
-  Undone,  // {0}: the name of an action
+  PinSelected,  // {0}: which of how many, "2/5"
+  Undone,       // {0}: the name of an action
   Redone,
   // Warnings and problems
   NothingRough,  // Simplify without loose strokes
   NotClosed,
   NothingToInflate,
   NothingSelected,
+  NoPin,          // none is selected, or there is none
+  NothingToBend,  // no line to hold
+  PartLocked,
+  NotYetPart,  // a pin on a rough line
   NothingToUndo,
   NothingToRedo,
   CannotRead,  // {0}: a reason

@@ -23,6 +23,8 @@ std::string_view action_of(Tool tool) {
       return "eraser";
     case Tool::Mark:
       return "mark";
+    case Tool::Deform:
+      return "deform";
     case Tool::Select:
       return "select_tool";
     case Tool::Hand:

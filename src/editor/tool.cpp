@@ -67,6 +67,8 @@ Step tool_step(Tool tool, ToolState state, ToolEvent const& event, ToolContext c
       return eraser_step(state, tame_event, context);
     case Tool::Mark:
       return mark_step(state, tame_event, context);
+    case Tool::Deform:
+      return deform_step(state, tame_event, context);
     case Tool::Select:
       return select_step(state, tame_event, context);
     case Tool::Hand:

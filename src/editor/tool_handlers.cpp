@@ -3,6 +3,8 @@
 #include <array>
 
 #include "editor/action_handlers.h"
+#include "editor/bend_reach.h"
+#include "editor/tools.h"
 #include "io/svg_colour.h"
 
 namespace inkflate {
@@ -24,7 +26,10 @@ void settings_changed(EditorTurn& turn) { turn.changes.is_state_changed = true; 
 /// The brackets change the size of the tool that is held.
 void size_by(EditorTurn& turn, double factor) {
   auto& settings = turn.state.view.settings;
-  if (turn.state.view.tool == Tool::Eraser) {
+  if (turn.state.view.tool == Tool::Deform) {
+    settings.bend_reach = bounded(settings.bend_reach.value_or(kUsualBendReach) * factor,
+                                  ToolSettings::kLeastBendReach, 1);
+  } else if (turn.state.view.tool == Tool::Eraser) {
     settings.eraser_px = std::clamp(settings.eraser_px * factor, ToolSettings::kLeastEraserPx,
                                     ToolSettings::kLargestEraserPx);
   } else {
@@ -60,11 +65,33 @@ void ink_colour(EditorTurn& turn) {
   settings_changed(turn);
 }
 
+void bend_mode(EditorTurn& turn) {
+  bool const is_wire = turn.argument == "wire";
+  if (!is_wire && turn.argument != "body") return refuse_argument(turn);
+  turn.state.view.settings.bend_mode = is_wire ? BendMode::Wire : BendMode::Body;
+  settings_changed(turn);
+}
+
+void bend_body(EditorTurn& turn) {
+  set_number(turn, &ToolSettings::bend_body, BendOptions::kLeastBody, 1);
+}
+
+/// "auto", "whole", or a share of the part.
+void bend_reach(EditorTurn& turn) {
+  auto& reach = turn.state.view.settings.bend_reach;
+  auto const share = turn.argument == "whole" ? std::optional(1.0) : number_of(turn.argument);
+  bool const is_share = share && *share >= ToolSettings::kLeastBendReach && *share <= 1;
+  if (!is_share && turn.argument != "auto") return refuse_argument(turn);
+  reach = share;
+  settings_changed(turn);
+}
+
 constexpr std::array kHandlers = {
     ActionHandler{"brush", choose<Tool::Brush>, always},
     ActionHandler{"help_line", choose<Tool::HelpLine>, always},
     ActionHandler{"eraser", choose<Tool::Eraser>, always},
     ActionHandler{"mark", choose<Tool::Mark>, always},
+    ActionHandler{"deform", choose<Tool::Deform>, always},
     ActionHandler{"select_tool", choose<Tool::Select>, always},
     ActionHandler{"hand", choose<Tool::Hand>, always},
     ActionHandler{"brush_larger", [](EditorTurn& turn) { size_by(turn, kSizeStep); }, always},
@@ -73,6 +100,9 @@ constexpr std::array kHandlers = {
     ActionHandler{"eraser_size", eraser_size, always},
     ActionHandler{"smoothing", smoothing, always},
     ActionHandler{"ink_colour", ink_colour, always},
+    ActionHandler{"bend_mode", bend_mode, always},
+    ActionHandler{"bend_body", bend_body, always},
+    ActionHandler{"bend_reach", bend_reach, always},
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ Step brush_step(StrokeKind kind, ToolState state, ToolEvent const& event,
                 ToolContext const& context);
 Step eraser_step(ToolState const& state, ToolEvent const& event, ToolContext const& context);
 Step select_step(ToolState const& state, ToolEvent const& event, ToolContext const& context);
+Step deform_step(ToolState const& state, ToolEvent const& event, ToolContext const& context);
 Step mark_step(ToolState const& state, ToolEvent const& event, ToolContext const& context);
 Step hand_step(ToolState const& state, ToolEvent const& event, ToolContext const& context);
 

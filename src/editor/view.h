@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "deform/bend_options.h"
 #include "geometry/affine.h"
 #include "geometry/rect.h"
 #include "model/drawing.h"
@@ -63,7 +64,7 @@ ModelView zoomed(ModelView const& model, ViewSize const& size, Vec2 screen, doub
 
 enum class Mode { Draw, Inflate, Animate };
 
-enum class Tool { Brush, HelpLine, Eraser, Mark, Select, Hand };
+enum class Tool { Brush, HelpLine, Eraser, Mark, Deform, Select, Hand };
 
 /// How a person works, which no document knows.
 struct ToolSettings {
@@ -71,13 +72,27 @@ struct ToolSettings {
   Colour ink = {0x22, 0x24, 0x2b};
   double smoothing = 0.5;  // 0 .. 1: how much of the hand's tremble is taken out
   double eraser_px = 12;   // radius on the screen
+  BendMode bend_mode = BendMode::Body;
+  double bend_body = 1;  // BendOptions::kLeastBody .. 1: how stiff the inside is beside the line
+  std::optional<double> bend_reach =
+      {};  // how far a drag reaches, as a share of the longer side of the part's box, kLeastBendReach .. 1.
+           // 1: the whole part; none: as the part is held
 
   static constexpr double kLeastBrushPx = 0.5;
   static constexpr double kLargestBrushPx = 100;
   static constexpr double kLeastEraserPx = 1;
   static constexpr double kLargestEraserPx = 200;
+  static constexpr double kLeastBendReach = 0.02;
 
   friend bool operator==(ToolSettings const&, ToolSettings const&) = default;
+};
+
+/// A pin of a part, by which it is held while it is bent.
+struct BendPinRef {
+  LayerId layer = LayerId::None;
+  int index = 0;  // into Layer::bend_pins
+
+  friend bool operator==(BendPinRef const&, BendPinRef const&) = default;
 };
 
 /// What is looked at and how; none of it is in the document.
@@ -89,8 +104,9 @@ struct View {
   ToolSettings settings;
   std::vector<LayerId> selection;  // ascending
   LayerId hover = LayerId::None;
-  bool has_grid = true;  // lines of the paper
-  ModelView model;       // modes Inflate and Animate
+  std::optional<BendPinRef> pin;  // that is selected, while the tool is Deform
+  bool has_grid = true;           // lines of the paper
+  ModelView model;                // modes Inflate and Animate
   Shading shading = Shading::Textured;
 };
 

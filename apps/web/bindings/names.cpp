@@ -16,7 +16,9 @@ std::string_view pick(Names const& names, Choice choice) {
 }
 
 constexpr Names<Mode::Animate> kModes = {"draw", "inflate", "animate"};
-constexpr Names<Tool::Hand> kTools = {"brush", "help_line", "eraser", "mark", "select", "hand"};
+constexpr Names<Tool::Hand> kTools = {"brush",  "help_line", "eraser", "mark",
+                                      "deform", "select",    "hand"};
+constexpr Names<BendMode::Wire> kBendModes = {"body", "wire"};
 constexpr Names<Shading::Lines> kShadings = {"matcap", "textured", "lines"};
 constexpr Names<Language::Czech> kLanguages = {"en", "cs"};
 constexpr Names<Menu::Help> kMenus = {"file", "edit", "view", "tool", "part", "model", "help"};
@@ -28,6 +30,7 @@ constexpr Names<Severity::Problem> kSeverities = {"status", "warning", "problem"
 
 std::string_view name_of(Mode mode) { return pick(kModes, mode); }
 std::string_view name_of(Tool tool) { return pick(kTools, tool); }
+std::string_view name_of(BendMode mode) { return pick(kBendModes, mode); }
 std::string_view name_of(Shading shading) { return pick(kShadings, shading); }
 std::string_view name_of(Language language) { return pick(kLanguages, language); }
 std::string_view name_of(Menu menu) { return pick(kMenus, menu); }

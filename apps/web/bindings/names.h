@@ -12,6 +12,7 @@ namespace inkflate::web {
 /// What src/protocol calls the choices of the core.
 std::string_view name_of(Mode mode);
 std::string_view name_of(Tool tool);
+std::string_view name_of(BendMode mode);
 std::string_view name_of(Shading shading);
 std::string_view name_of(Language language);
 std::string_view name_of(Menu menu);

@@ -51,13 +51,31 @@ std::size_t count_marks(Document const& document) {
   return count;
 }
 
+/// Of parts that are seen.
+std::size_t count_pins(Document const& document) {
+  std::size_t count = 0;
+  for (auto const& layer : *document.layers) {
+    if (!layer->layer.is_hidden) count += layer->layer.bend_pins.size();
+  }
+  return count;
+}
+
 Json view_json(View const& view) {
   auto const& settings = view.settings;
-  return {{"mode", name_of(view.mode)},      {"tool", name_of(view.tool)},
-          {"brushPx", settings.brush_px},    {"ink", hex(settings.ink)},
-          {"smoothing", settings.smoothing}, {"eraserPx", settings.eraser_px},
-          {"hasGrid", view.has_grid},        {"isMirrored", view.camera.is_mirrored},
-          {"zoom", view.camera.zoom},        {"shading", name_of(view.shading)}};
+  return {{"mode", name_of(view.mode)},
+          {"tool", name_of(view.tool)},
+          {"brushPx", settings.brush_px},
+          {"ink", hex(settings.ink)},
+          {"smoothing", settings.smoothing},
+          {"eraserPx", settings.eraser_px},
+          {"bendMode", name_of(settings.bend_mode)},
+          {"bendBody", settings.bend_body},
+          {"bendReach", or_null(settings.bend_reach)},
+          {"hasPin", view.pin.has_value()},
+          {"hasGrid", view.has_grid},
+          {"isMirrored", view.camera.is_mirrored},
+          {"zoom", view.camera.zoom},
+          {"shading", name_of(view.shading)}};
 }
 
 Json chords_json(std::string_view keys) {
@@ -88,6 +106,7 @@ Answer state_answer(EngineState const& state, Document const& document) {
                      {"hasRoughStrokes", state.has_rough_strokes},
                      {"gapPx", or_null(state.choice.gap_px)},
                      {"marks", count_marks(document)},
+                     {"pins", count_pins(document)},
                      {"hasTemplate", document.template_picture != nullptr},
                      {"isBlank", is_blank(document)},
                      {"undo", action_json(state.undo_name)},

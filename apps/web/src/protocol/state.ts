@@ -4,7 +4,8 @@ import type { ActionName } from "./actions.generated";
 /** What surrounds the canvas shows: src/editor/engine.h, EngineState. */
 
 export type Mode = "draw" | "inflate" | "animate";
-export type Tool = "brush" | "help_line" | "eraser" | "mark" | "select" | "hand";
+export type Tool = "brush" | "help_line" | "eraser" | "mark" | "deform" | "select" | "hand";
+export type BendMode = "body" | "wire";
 export type Shading = "matcap" | "textured" | "lines";
 export type Language = "en" | "cs";
 
@@ -35,6 +36,13 @@ export interface EngineState {
   readonly smoothing: number;
   /** px of the screen. */
   readonly eraserPx: number;
+  readonly bendMode: BendMode;
+  /** 0.003 .. 1: how stiff the inside is beside the line. */
+  readonly bendBody: number;
+  /** How far a drag reaches, as a share of the part, 0.02 .. 1; 1: the whole part; null: as the part is held. */
+  readonly bendReach: number | null;
+  /** A pin is selected. */
+  readonly hasPin: boolean;
   readonly hasGrid: boolean;
   readonly isMirrored: boolean;
   /** px of the screen for one of the canvas. */
@@ -47,6 +55,8 @@ export interface EngineState {
   readonly gapPx: number | null;
   /** How many marks there are. */
   readonly marks: number;
+  /** How many pins the parts that are seen have, to be bent by. */
+  readonly pins: number;
   readonly hasTemplate: boolean;
   /** Nothing drawn, no layer, no template. */
   readonly isBlank: boolean;

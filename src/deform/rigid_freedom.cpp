@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deform/rigid_freedom.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace inkflate {
+namespace {
+
+// Places nearer than this to each other, in edges, cannot hold a piece from turning.
+constexpr double kSamePlaceEdges = 1e-6;
+
+// Shifts shorter than this are rounding: a piece that is where it shall be stays so to the last bit.
+constexpr double kLeastShiftPx = 1e-7;
+
+/// For each vertex the least vertex that it hangs together with.
+std::vector<int> least_connected(FlatMesh const& mesh) {
+  std::vector<int> parent(mesh.points.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  auto const root_of = [&](int v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (auto const& corners : mesh.triangles) {
+    for (int i = 1; i < 3; ++i) {
+      int const a = root_of(corners[0]);
+      int const b = root_of(corners[i]);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (int v = 0; v < static_cast<int>(parent.size()); ++v) parent[v] = root_of(v);
+  return parent;
+}
+
+}  // namespace
+
+RigidFreedom::RigidFreedom(BendMesh const& mesh)
+    : mesh_(&mesh), piece_of_(least_connected(mesh.rest)), vertex_anchors_(piece_of_.size()) {
+  for (int v = 0; v < static_cast<int>(piece_of_.size()); ++v) {
+    if (piece_of_[v] == v) {
+      piece_of_[v] = static_cast<int>(pieces_.size());
+      pieces_.emplace_back();
+    } else {
+      piece_of_[v] = piece_of_[piece_of_[v]];
+    }
+    pieces_[piece_of_[v]].vertices.push_back(v);
+  }
+  for (int t = 0; t < static_cast<int>(mesh.rest.triangles.size()); ++t) {
+    for (int corner = 0; corner < 3; ++corner) {
+      BendAnchor own{t, {0, 0, 0}};
+      own.weights[corner] = 1;
+      vertex_anchors_[mesh.rest.triangles[t][corner]] = own;
+    }
+  }
+}
+
+void RigidFreedom::hold_at(int index, BendAnchor const& anchor) {
+  auto& piece = pieces_[index];
+  if (piece.freedom == Freedom::All) {
+    piece.freedom = Freedom::Turn;
+    piece.centre = anchor;
+  } else if (piece.freedom == Freedom::Turn) {
+    auto const& rest = mesh_->rest;
+    double const apart =
+        distance(place_of(rest, rest.points, piece.centre), place_of(rest, rest.points, anchor));
+    if (apart > kSamePlaceEdges * mesh_->edge_px) piece.freedom = Freedom::None;
+  }
+}
+
+void RigidFreedom::set_hold(BendHold const& hold) {
+  for (auto& piece : pieces_) {
+    piece.freedom = Freedom::All;
+    piece.handle_count = 0;
+    piece.target = {};
+  }
+  for (auto const& handle : hold.handles) {
+    int const index = piece_of_[mesh_->rest.triangles[handle.anchor.triangle][0]];
+    auto& piece = pieces_[index];
+    hold_at(index, handle.anchor);
+    if (handle.turn_rad) piece.freedom = Freedom::None;
+    ++piece.handle_count;
+    piece.target += handle.target;
+  }
+  for (auto& piece : pieces_) {
+    if (piece.handle_count > 0) piece.target = piece.target / piece.handle_count;
+  }
+  for (int v = 0; v < std::ssize(hold.is_fixed); ++v) {
+    if (!hold.is_fixed[v]) continue;
+    hold_at(piece_of_[v], vertex_anchors_[v]);
+    pieces_[piece_of_[v]].handle_count = 0;
+  }
+}
+
+void RigidFreedom::shift_to_targets(BendPose& pose) const {
+  for (auto const& piece : pieces_) {
+    if (piece.freedom != Freedom::Turn || piece.handle_count == 0) continue;
+    Vec2 const shift = piece.target - place_of(mesh_->rest, pose, piece.centre);
+    if (norm(shift) < kLeastShiftPx) continue;
+    for (int const v : piece.vertices) pose[v] += shift;
+  }
+}
+
+void RigidFreedom::remove_from(std::span<Vec2> moves, std::span<Vec2 const> pose) const {
+  for (auto const& piece : pieces_) {
+    if (piece.freedom == Freedom::None) continue;
+    Vec2 centre;
+    Vec2 shift;
+    if (piece.freedom == Freedom::All) {
+      for (int const v : piece.vertices) {
+        centre += pose[v];
+        shift += moves[v];
+      }
+      centre = centre / static_cast<double>(piece.vertices.size());
+      shift = shift / static_cast<double>(piece.vertices.size());
+    } else {
+      centre = place_of(mesh_->rest, pose, piece.centre);
+    }
+    double turn = 0;
+    double inertia = 0;
+    for (int const v : piece.vertices) {
+      Vec2 const arm = pose[v] - centre;
+      turn += cross(arm, moves[v] - shift);
+      inertia += squared_norm(arm);
+    }
+    double const angle = inertia > 0 ? turn / inertia : 0;
+    for (int const v : piece.vertices) {
+      moves[v] -= shift + perpendicular(pose[v] - centre) * angle;
+    }
+  }
+}
+
+}  // namespace inkflate

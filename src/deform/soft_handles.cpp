@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deform/soft_handles.h"
+
+#include <algorithm>
+
+#include "geometry/trig.h"
+
+namespace inkflate {
+namespace {
+
+// Large enough to hold a limb's width by a few vertices, small enough to leave the rest of it alone.
+constexpr double kRingEdges = 2;
+// Of one vertex of the ring, beside the handle's own.
+constexpr double kRingShare = 0.1;
+
+// The largest turn that is asked for at once, 0.5 rad: chords and arcs are still nearly the same.
+constexpr Vec2 kLargestTurn = {0.87758256189037271612, 0.47942553860420300027};
+
+Vec2 turned_by(Vec2 v, Vec2 direction) {
+  return {v.x * direction.x - v.y * direction.y, v.x * direction.y + v.y * direction.x};
+}
+
+Vec2 turned_back(Vec2 v, Vec2 direction) { return turned_by(v, {direction.x, -direction.y}); }
+
+}  // namespace
+
+SoftHandles::SoftHandles(BendMesh const& mesh, std::span<BendHandle const> handles) : mesh_(&mesh) {
+  strength_ = kStrength * *std::max_element(mesh.stiffness.begin(), mesh.stiffness.end());
+  for (auto const& handle : handles) {
+    places_.push_back({handle.anchor, handle.target, strength_});
+    if (!handle.turn_rad) continue;
+    auto const turn = sin_cos(*handle.turn_rad);
+    turned_.push_back({&handle, ring_around(handle.anchor), {turn.cos, turn.sin}});
+  }
+}
+
+/// The vertices near a place that hang together with it there: not those across a gap.
+std::vector<SoftHandles::RingVertex> SoftHandles::ring_around(BendAnchor const& anchor) const {
+  auto const& mesh = mesh_->rest;
+  Vec2 const centre = place_of(mesh, mesh.points, anchor);
+  double const reach_px = kRingEdges * mesh_->edge_px;
+  std::vector<RingVertex> ring;
+  std::vector<char> is_in(mesh.points.size(), false);
+  auto const add = [&](int triangle, int corner) {
+    int const vertex = mesh.triangles[triangle][corner];
+    if (is_in[vertex]) return false;
+    is_in[vertex] = true;
+    BendAnchor own{triangle, {0, 0, 0}};
+    own.weights[corner] = 1;
+    ring.push_back({vertex, own, mesh.points[vertex] - centre});
+    return true;
+  };
+  for (int corner = 0; corner < 3; ++corner) add(anchor.triangle, corner);
+  for (bool has_grown = true; has_grown;) {
+    has_grown = false;
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+      auto const& corners = mesh.triangles[t];
+      if (!is_in[corners[0]] && !is_in[corners[1]] && !is_in[corners[2]]) continue;
+      for (int corner = 0; corner < 3; ++corner) {
+        bool const is_near = distance(mesh.points[corners[corner]], centre) <= reach_px;
+        if (is_near && add(t, corner)) has_grown = true;
+      }
+    }
+  }
+  return ring;
+}
+
+void SoftHandles::add_ring(Turned const& turned, Vec2 direction, std::vector<Pull>& pulls) const {
+  for (auto const& v : turned.ring) {
+    pulls.push_back(
+        {v.anchor, turned.handle->target + turned_by(v.arm, direction), strength_ * kRingShare});
+  }
+}
+
+std::vector<Pull> SoftHandles::pulls() const {
+  auto result = places_;
+  for (auto const& turned : turned_) add_ring(turned, turned.direction, result);
+  return result;
+}
+
+std::vector<Pull> SoftHandles::pulls_from(std::span<Vec2 const> pose) const {
+  auto result = places_;
+  for (auto const& turned : turned_) {
+    // The turn that takes the arms at rest nearest to those of the pose.
+    Vec2 const centre = place_of(mesh_->rest, pose, turned.handle->anchor);
+    Vec2 sum;
+    for (auto const& v : turned.ring) sum += turned_back(pose[v.vertex] - centre, v.arm);
+    Vec2 const present = normalized(sum);
+    Vec2 const rest_of_turn = turned_back(turned.direction, present);
+    bool const is_within = squared_norm(present) == 0 || rest_of_turn.x >= kLargestTurn.x;
+    Vec2 const part = {kLargestTurn.x, rest_of_turn.y < 0 ? -kLargestTurn.y : kLargestTurn.y};
+    add_ring(turned, is_within ? turned.direction : turned_by(present, part), result);
+  }
+  return result;
+}
+
+double pull_energy(Pull const& pull, Vec2 place, double edge_px) {
+  double const reach = Pull::kReachEdges * edge_px;
+  double const squared = squared_norm(place - pull.target);
+  if (squared <= reach * reach) return pull.strength * squared;
+  return pull.strength * reach * (2 * std::sqrt(squared) - reach);
+}
+
+Vec2 pull_gradient(Pull const& pull, Vec2 place, double edge_px) {
+  Vec2 const away = place - pull.target;
+  double const length = norm(away);
+  double const reach = Pull::kReachEdges * edge_px;
+  return away * (2 * pull.strength * (length <= reach ? 1 : reach / length));
+}
+
+}  // namespace inkflate

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "editor/action_handlers.h"
+#include "editor/pick.h"
+#include "editor/pins.h"
+
+namespace inkflate {
+namespace {
+
+Document const& document_of(EditorState const& state) { return state.history.document(); }
+
+/// The part whose pins are meant: of the selected pin, or the one that is selected. Null: there is none.
+DocumentLayer const* pinned_layer(EditorState const& state) {
+  auto const& view = state.view;
+  if (view.pin) return find_layer(document_of(state), view.pin->layer);
+  auto const layers = pickable(document_of(state), view.selection);
+  return layers.size() == 1 ? find_layer(document_of(state), layers[0]) : nullptr;
+}
+
+/// Pins are seen and held with the Deform tool alone.
+void select_pin(EditorTurn& turn, std::optional<BendPinRef> const& pin) {
+  auto& view = turn.state.view;
+  view.tool = Tool::Deform;
+  view.mode = Mode::Draw;
+  view.pin = pin;
+  turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
+}
+
+void go_to_pin(EditorTurn& turn, int step) {
+  auto const& view = turn.state.view;
+  auto const pins = pins_in_turn(document_of(turn.state), view);
+  auto const pin = pin_after(pins, view.pin, step);
+  if (!pin) return say(turn, Severity::Warning, Word::NoPin);
+  select_pin(turn, pin);
+  auto const place = std::find(pins.begin(), pins.end(), *pin) - pins.begin() + 1;
+  say(turn, Severity::Status, Word::PinSelected,
+      {std::to_string(place) + "/" + std::to_string(pins.size())});
+}
+
+bool set_pins(EditorTurn& turn, LayerId layer, std::vector<BendPin> pins, std::string_view action) {
+  return commit(turn, std::vector<Command>{SetBendPins{layer, std::move(pins)}}, action);
+}
+
+/// At a place "x,y", or where it holds best.
+void add_pin(EditorTurn& turn) {
+  auto place = place_of(turn.argument);
+  if (!place && !turn.argument.empty()) return refuse_argument(turn);
+  auto const* const layer = pinned_layer(turn.state);
+  if (layer == nullptr) return say(turn, Severity::Warning, Word::NothingSelected);
+  if (!place) place = place_for_pin(layer->layer);
+  if (!place) return say(turn, Severity::Warning, Word::NothingToBend);
+  auto const id = layer->layer.id;
+  auto pins = layer->layer.bend_pins;
+  int const index = static_cast<int>(std::ssize(pins));
+  pins.push_back({*place});
+  if (set_pins(turn, id, std::move(pins), "add_pin")) select_pin(turn, BendPinRef{id, index});
+}
+
+void free_pin(EditorTurn& turn) {
+  auto const pin = turn.state.view.pin;
+  if (!pin) return say(turn, Severity::Warning, Word::NoPin);
+  auto pins = find_layer(document_of(turn.state), pin->layer)->layer.bend_pins;
+  pins[static_cast<std::size_t>(pin->index)].turn_rad.reset();
+  set_pins(turn, pin->layer, std::move(pins), "free_pin");
+}
+
+void delete_pins(EditorTurn& turn) {
+  auto const* const layer = pinned_layer(turn.state);
+  if (layer == nullptr) return say(turn, Severity::Warning, Word::NothingSelected);
+  set_pins(turn, layer->layer.id, {}, "delete_pins");
+}
+
+bool can_take_pin(EditorState const& state) { return pinned_layer(state) != nullptr; }
+bool are_pins_there(EditorState const& state) {
+  return !pins_in_turn(document_of(state), state.view).empty();
+}
+bool has_frozen_pin(EditorState const& state) {
+  auto const* const pin = state.view.pin ? find_pin(document_of(state), *state.view.pin) : nullptr;
+  return pin != nullptr && pin->turn_rad;
+}
+bool has_pins(EditorState const& state) {
+  auto const* const layer = pinned_layer(state);
+  return layer != nullptr && !layer->layer.bend_pins.empty();
+}
+
+constexpr std::array kHandlers = {
+    ActionHandler{"add_pin", add_pin, can_take_pin},
+    ActionHandler{"next_pin", [](EditorTurn& turn) { go_to_pin(turn, 1); }, are_pins_there},
+    ActionHandler{"previous_pin", [](EditorTurn& turn) { go_to_pin(turn, -1); }, are_pins_there},
+    ActionHandler{"free_pin", free_pin, has_frozen_pin},
+    ActionHandler{"delete_pins", delete_pins, has_pins},
+};
+
+}  // namespace
+
+std::span<ActionHandler const> pin_handlers() { return kHandlers; }
+
+}  // namespace inkflate

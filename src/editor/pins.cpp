@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "editor/pins.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "editor/layer_shape.h"
+#include "editor/pick.h"
+
+namespace inkflate {
+namespace {
+
+std::vector<BendPinRef> pins_of(Document const& document, View const& view, bool is_selected_only) {
+  std::vector<BendPinRef> pins;
+  auto const& layers = *document.layers;
+  for (auto each = layers.rbegin(); each != layers.rend(); ++each) {
+    auto const& layer = (*each)->layer;
+    if (!is_pickable(**each) || (is_selected_only && !is_selected(view, layer.id))) continue;
+    for (int i = 0; i < std::ssize(layer.bend_pins); ++i) pins.push_back({layer.id, i});
+  }
+  return pins;
+}
+
+double squared_distance_to(std::vector<Vec2> const& held, Vec2 p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (auto const place : held) least = std::min(least, squared_norm(place - p));
+  return least;
+}
+
+}  // namespace
+
+BendPin const* find_pin(Document const& document, BendPinRef const& pin) {
+  auto const* const layer = find_layer(document, pin.layer);
+  if (layer == nullptr || !is_pickable(*layer)) return nullptr;
+  auto const& pins = layer->layer.bend_pins;
+  bool const is_there = pin.index >= 0 && pin.index < std::ssize(pins);
+  return is_there ? &pins[static_cast<std::size_t>(pin.index)] : nullptr;
+}
+
+std::vector<BendPinRef> pins_in_turn(Document const& document, View const& view) {
+  auto pins = pins_of(document, view, true);
+  return pins.empty() ? pins_of(document, view, false) : pins;
+}
+
+std::optional<BendPinRef> pin_after(std::vector<BendPinRef> const& pins,
+                                    std::optional<BendPinRef> const& pin, int step) {
+  if (pins.empty()) return std::nullopt;
+  auto const found = pin ? std::find(pins.begin(), pins.end(), *pin) : pins.end();
+  auto const count = std::ssize(pins);
+  if (found == pins.end()) return step > 0 ? pins.front() : pins.back();
+  return pins[static_cast<std::size_t>((found - pins.begin() + step + count) % count)];
+}
+
+std::optional<Vec2> place_for_pin(Layer const& layer) {
+  auto const shape = layer_shape(layer);
+  if (shape.contours.empty()) return std::nullopt;
+  std::vector<Vec2> held;
+  for (auto const& pin : layer.bend_pins) held.push_back(pin.position);
+  if (held.empty()) held.push_back(shape.box.centre());
+  std::optional<Vec2> best;
+  double farthest = -1;
+  for (auto const p : shape.contours.front()) {
+    double const size = squared_distance_to(held, p);
+    if (size <= farthest) continue;
+    farthest = size;
+    best = p;
+  }
+  return best;
+}
+
+}  // namespace inkflate

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solvers/block_cholesky.h"
+
+/// Out of memory ends the program: without exceptions, Eigen asks for more than there can be. Said here, for the sake of checkers.
+namespace Eigen::internal {
+[[noreturn]] inline void throw_std_bad_alloc();
+}
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+
+namespace inkflate {
+
+BlockCholesky::BlockCholesky(int size, std::span<std::array<int, 2> const> pairs)
+    : order_(size), place_(size), target_(size, 0), right_side_(2 * size) {
+  for (auto const& [a, b] : pairs) {
+    CHECK(a != b && a >= 0 && b >= 0 && a < size && b < size, "a pair of different rows");
+  }
+  find_order(pairs);
+  find_pattern(pairs);
+  find_left_blocks();
+  numbers_.assign(4 * rows_.size(), 0);
+}
+
+void BlockCholesky::find_order(std::span<std::array<int, 2> const> pairs) {
+  if (size() == 0) return;
+  std::vector<Eigen::Triplet<double>> triplets;
+  triplets.reserve(2 * pairs.size() + order_.size());
+  // Eigen orders rows without a diagonal last, as if they were dense.
+  for (int i = 0; i < size(); ++i) triplets.push_back({i, i, 1});
+  for (auto const& [a, b] : pairs) {
+    triplets.push_back({a, b, 1});
+    triplets.push_back({b, a, 1});
+  }
+  Eigen::SparseMatrix<double> matrix(size(), size());
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  Eigen::AMDOrdering<int>{}(matrix, order);
+  for (int i = 0; i < size(); ++i) {
+    order_[i] = order.indices()[i];
+    place_[order_[i]] = i;
+  }
+}
+
+/// The rows of a column of L are those of A and those of the columns whose first row below the diagonal is this column.
+void BlockCholesky::find_pattern(std::span<std::array<int, 2> const> pairs) {
+  std::vector<std::vector<int>> below(size());
+  for (auto const& [a, b] : pairs) {
+    below[std::min(place_[a], place_[b])].push_back(std::max(place_[a], place_[b]));
+  }
+  for (int column = 0; column < size(); ++column) {
+    auto& rows = below[column];
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    starts_.push_back(static_cast<int>(rows_.size()));
+    rows_.push_back(column);
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
+    if (rows.empty()) continue;
+    auto& parent = below[rows.front()];
+    parent.insert(parent.end(), rows.begin() + 1, rows.end());
+  }
+  starts_.push_back(static_cast<int>(rows_.size()));
+}
+
+void BlockCholesky::find_left_blocks() {
+  left_starts_.assign(size() + 1, 0);
+  for (int const row : rows_) ++left_starts_[row + 1];
+  for (int i = 0; i < size(); ++i) left_starts_[i + 1] += left_starts_[i] - 1;  // diagonals apart
+  left_.resize(rows_.size() - size());
+  auto next = left_starts_;
+  for (int column = 0; column < size(); ++column) {
+    for (int k = starts_[column] + 1; k < starts_[column + 1]; ++k) {
+      left_[next[rows_[k]]++] = {k, starts_[column + 1]};
+    }
+  }
+}
+
+int BlockCholesky::start_of(int row, int column) const {
+  int const to = place_[row];
+  int const from = place_[column];
+  auto const begin = rows_.begin() + starts_[from];
+  auto const end = rows_.begin() + starts_[from + 1];
+  auto const found = std::lower_bound(begin, end, to);
+  CHECK(to >= from && found != end && *found == to, "a block that is kept");
+  return 4 * static_cast<int>(found - rows_.begin());
+}
+
+void BlockCholesky::clear() { std::fill(numbers_.begin(), numbers_.end(), 0); }
+
+bool BlockCholesky::factor() {
+  for (int column = 0; column < size(); ++column) {
+    for (int k = starts_[column]; k < starts_[column + 1]; ++k) target_[rows_[k]] = 4 * k;
+    subtract_left_columns(column);
+    if (!divide_by_diagonal(column)) return false;
+  }
+  return true;
+}
+
+/// Takes L_ik L_jk^T from each block (i, j) of column j, for every column k on the left that has a block in row j.
+void BlockCholesky::subtract_left_columns(int column) {
+  for (int m = left_starts_[column]; m < left_starts_[column + 1]; ++m) {
+    double const* from = &numbers_[4 * left_[m].position];
+    double const a = from[0];
+    double const b = from[1];
+    double const c = from[2];
+    double const d = from[3];
+    for (int k = left_[m].position; k < left_[m].end; ++k, from += 4) {
+      double* const to = &numbers_[target_[rows_[k]]];
+      to[0] -= from[0] * a + from[1] * b;
+      to[1] -= from[0] * c + from[1] * d;
+      to[2] -= from[2] * a + from[3] * b;
+      to[3] -= from[2] * c + from[3] * d;
+    }
+  }
+}
+
+/// Of the diagonal, the inverses of its two numbers are kept: they are only ever divided by.
+bool BlockCholesky::divide_by_diagonal(int column) {
+  double* const diagonal = &numbers_[4 * starts_[column]];
+  bool const is_first_positive = diagonal[0] > 0;
+  if (!is_first_positive) return false;
+  double const first = 1 / std::sqrt(diagonal[0]);
+  double const below = diagonal[2] * first;
+  double const rest = diagonal[3] - below * below;
+  bool const is_positive = rest > 0 && std::isfinite(first) && std::isfinite(rest);
+  if (!is_positive) return false;
+  double const second = 1 / std::sqrt(rest);
+  diagonal[0] = first;
+  diagonal[1] = 0;
+  diagonal[2] = below;
+  diagonal[3] = second;
+  for (int k = starts_[column] + 1; k < starts_[column + 1]; ++k) {
+    double* const block = &numbers_[4 * k];
+    block[0] *= first;
+    block[1] = (block[1] - block[0] * below) * second;
+    block[2] *= first;
+    block[3] = (block[3] - block[2] * below) * second;
+  }
+  return true;
+}
+
+void BlockCholesky::solve(std::span<double> values) {
+  CHECK(std::ssize(values) == std::ptrdiff_t{2} * size(), "two numbers per block row");
+  auto& x = right_side_;
+  for (int i = 0; i < size(); ++i) {
+    x[2 * i] = values[2 * order_[i]];
+    x[2 * i + 1] = values[2 * order_[i] + 1];
+  }
+  for (int j = 0; j < size(); ++j) {
+    double const* block = &numbers_[4 * starts_[j]];
+    double const first = x[2 * j] * block[0];
+    double const second = (x[2 * j + 1] - block[2] * first) * block[3];
+    x[2 * j] = first;
+    x[2 * j + 1] = second;
+    for (int k = starts_[j] + 1; k < starts_[j + 1]; ++k) {
+      block = &numbers_[4 * k];
+      x[2 * rows_[k]] -= block[0] * first + block[1] * second;
+      x[2 * rows_[k] + 1] -= block[2] * first + block[3] * second;
+    }
+  }
+  for (int j = size() - 1; j >= 0; --j) {
+    double first = x[2 * j];
+    double second = x[2 * j + 1];
+    for (int k = starts_[j] + 1; k < starts_[j + 1]; ++k) {
+      double const* const block = &numbers_[4 * k];
+      first -= block[0] * x[2 * rows_[k]] + block[2] * x[2 * rows_[k] + 1];
+      second -= block[1] * x[2 * rows_[k]] + block[3] * x[2 * rows_[k] + 1];
+    }
+    double const* const diagonal = &numbers_[4 * starts_[j]];
+    x[2 * j + 1] = second * diagonal[3];
+    x[2 * j] = (first - diagonal[2] * x[2 * j + 1]) * diagonal[0];
+  }
+  for (int i = 0; i < size(); ++i) {
+    values[2 * order_[i]] = x[2 * i];
+    values[2 * order_[i] + 1] = x[2 * i + 1];
+  }
+}
+
+}  // namespace inkflate
