@@ -190,7 +190,7 @@ void append_area(std::string& text, Layer const& layer) {
   });
   append_attribute(text, "inkflate:kinds", [&](std::string& t) { append_kinds(t, outlines); });
   append_attribute(text, "inkflate:sources", [&](std::string& t) { append_sources(t, outlines); });
-  text += " fill-rule=\"evenodd\" stroke=\"none\"";
+  text += " fill-rule=\"nonzero\" stroke=\"none\"";
   append_paint(text, "fill", layer.fill.value_or(kFillColour));
   text += "/>\n";
 }
