@@ -34,8 +34,7 @@ bool is_held(Document const& document, LayerId id) {
 }
 
 Rect box_of(Document const& document, BendGrab const& what) {
-  auto const* const layer =
-      find_layer(document, what.stroke ? what.stroke->layer : what.layer);
+  auto const* const layer = find_layer(document, what.stroke ? what.stroke->layer : what.layer);
   if (!what.stroke) return layer == nullptr ? Rect{} : layer_box(*layer);
   auto const& strokes = layer == nullptr ? document.loose : layer->strokes;
   return strokes[what.stroke->index]->box;

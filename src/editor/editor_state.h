@@ -39,8 +39,8 @@ struct EditorState {
   std::optional<Gesture> gesture;  // under way
   std::optional<Slider> slider;
   ToolState tool;
-  BendSession bend;                       // rest poses, and the drag of the Deform tool
-  std::optional<ToolBending> bend_hand;   // where it is, as long as the session has not followed it
+  BendSession bend;                      // rest poses, and the drag of the Deform tool
+  std::optional<ToolBending> bend_hand;  // where it is, as long as the session has not followed it
   PointerState pointers;
   View view;
   KeyMap keys;

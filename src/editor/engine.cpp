@@ -110,9 +110,7 @@ void follow_mode(EditorTurn& turn, Mode before) {
   if (turn.state.view.mode != before) stop_hand(turn);
 }
 
-bool is_deforming(View const& view) {
-  return view.mode == Mode::Draw && view.tool == Tool::Deform;
-}
+bool is_deforming(View const& view) { return view.mode == Mode::Draw && view.tool == Tool::Deform; }
 
 /// Rest poses and the selected pin are kept until the tool is left.
 void follow_tool(EditorTurn& turn) {

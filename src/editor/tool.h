@@ -22,8 +22,8 @@ struct ToolPointer {
   double pressure = 1;  // 0 .. 1; 1 for a mouse
   double time_s = 0;
   bool is_secondary = false;  // right button: the far side
-  bool is_finger = false;     // points less exactly than a mouse or a pen
   Modifiers modifiers;
+  bool is_finger = false;  // points less exactly than a mouse or a pen
 };
 
 struct ToolPress {
@@ -133,7 +133,7 @@ struct ToolBending {
   Vec2 target;                          // where the held place shall go, canvas px
   std::optional<double> turn_rad = {};  // of the pin that is turned, since the press
   double hand_rad = 0;                  // how far the hand has gone around it
-  Vec2 last = {};  // where the hand was, canvas px
+  Vec2 last = {};                       // where the hand was, canvas px
   std::optional<double> ring_px = {};   // the reach on the canvas, once it was changed in this drag
 };
 
