@@ -69,14 +69,7 @@ double BodySystem::energy(std::span<Vec2 const> pose, std::span<Pull const> pull
 double BodySystem::newton_moves(std::span<Vec2 const> pose, std::span<Pull const> pulls,
                                 std::span<char const> is_fixed, std::vector<Vec2>& moves) {
   moves.assign(pose.size(), {});
-  bool is_factored = false;
-  for (double damping = damping_; !is_factored; damping *= 1000) {
-    constexpr double kTooMuch = 1e9;  // numbers have failed altogether
-    if (damping > kTooMuch * damping_) return 0;
-    assemble(pose, pulls, damping);
-    hold_fixed(is_fixed);
-    is_factored = hessian_.factor();
-  }
+  if (!factor_somehow(pose, pulls, is_fixed)) return 0;
   for (std::size_t v = 0; v < moves.size(); ++v) {
     solution_[2 * v] = -gradient_[v].x;
     solution_[2 * v + 1] = -gradient_[v].y;
@@ -90,17 +83,32 @@ double BodySystem::newton_moves(std::span<Vec2 const> pose, std::span<Pull const
   return fall;
 }
 
-void BodySystem::assemble(std::span<Vec2 const> pose, std::span<Pull const> pulls, double damping) {
+bool BodySystem::factor_somehow(std::span<Vec2 const> pose, std::span<Pull const> pulls,
+                                std::span<char const> is_fixed) {
+  if (factor(pose, pulls, is_fixed, Curvature::Own, damping_)) return true;
+  constexpr double kTooMuch = 1e9;  // numbers have failed altogether
+  for (double damping = damping_; damping <= kTooMuch * damping_; damping *= 1000) {
+    if (factor(pose, pulls, is_fixed, Curvature::Positive, damping)) return true;
+  }
+  return false;
+}
+
+bool BodySystem::factor(std::span<Vec2 const> pose, std::span<Pull const> pulls,
+                        std::span<char const> is_fixed, Curvature curvature, double damping) {
   hessian_.clear();
   std::fill(gradient_.begin(), gradient_.end(), Vec2{});
   for (int t = 0; t < static_cast<int>(rest_.size()); ++t) {
-    add_triangle(t, dirichlet_model(rest_[t], places(t, pose)));
+    auto model = dirichlet_model(rest_[t], places(t, pose));
+    if (curvature == Curvature::Positive) model.curvatures[2] = std::max(0.0, model.curvatures[2]);
+    add_triangle(t, model);
   }
   for (auto const& pull : pulls) add_pull(pull, pose);
   for (int const start : diagonal_) {
     hessian_.numbers()[start] += damping;
     hessian_.numbers()[start + 3] += damping;
   }
+  hold_fixed(is_fixed);
+  return hessian_.factor();
 }
 
 void BodySystem::add_triangle(int triangle, DirichletModel const& model) {

@@ -36,8 +36,15 @@ class BodySystem {
     std::array<std::array<int, 2>, 3> corners = {};  // row and column of each block beside
   };
 
+  /// Which Hessian: the energy's own, with which Newton's method converges quadratically, or the one without the triangles' negative
+  /// curvatures, which is positive definite at every pose.
+  enum class Curvature { Own, Positive };
+
   std::array<Vec2, 3> places(int triangle, std::span<Vec2 const> pose) const;
-  void assemble(std::span<Vec2 const> pose, std::span<Pull const> pulls, double damping);
+  [[nodiscard]] bool factor(std::span<Vec2 const> pose, std::span<Pull const> pulls,
+                            std::span<char const> is_fixed, Curvature curvature, double damping);
+  [[nodiscard]] bool factor_somehow(std::span<Vec2 const> pose, std::span<Pull const> pulls,
+                                    std::span<char const> is_fixed);
   void add_triangle(int triangle, DirichletModel const& model);
   void add_pull(Pull const& pull, std::span<Vec2 const> pose);
   void hold_fixed(std::span<char const> is_fixed);

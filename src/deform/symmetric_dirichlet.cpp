@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deform/symmetric_dirichlet.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace inkflate {
@@ -69,11 +68,9 @@ DirichletModel dirichlet_model(RestTriangle const& rest, std::array<Vec2, 3> con
   auto const slope = [](double s) { return 2 * (s - 1 / (s * s * s)); };
   auto const curvature = [](double s) { return 2 + 6 / (s * s * s * s); };
   model.slopes = {rest.weight * slope(large), rest.weight * slope(small)};
-  model.curvatures = {
-      rest.weight * curvature(large), rest.weight * curvature(small),
-      // Turning is all that can have a negative curvature: where a triangle is pressed together.
-      rest.weight * std::max(0.0, 2 - 2 * (sum - d) * inverse_cube),
-      rest.weight * (2 + 2 * (sum + d) * inverse_cube)};
+  model.curvatures = {rest.weight * curvature(large), rest.weight * curvature(small),
+                      rest.weight * (2 - 2 * (sum - d) * inverse_cube),
+                      rest.weight * (2 + 2 * (sum + d) * inverse_cube)};
 
   Vec2 const turn = conjugate(map.turning) * (kInverseRoot2 / turning);
   // Where nothing is folded, the direction does not matter: both that it takes part in have the same curvature.

@@ -21,13 +21,16 @@ RestTriangle rest_triangle(std::array<Vec2, 3> const& rest, double stiffness);
 /// no area or is turned over, never negative.
 double dirichlet_energy(RestTriangle const& rest, std::array<Vec2, 3> const& places);
 
-/// What a triangle's energy is nearby: a gradient, and a Hessian without its negative part, as a sum over four directions d of
-/// curvature_d row_d row_d^T.
+/// What a triangle's energy is nearby: a gradient, and a Hessian as a sum over four directions d, orthogonal to each other, of
+/// curvature_d row_d row_d^T. The first two directions stretch along the axes of the map, the third turns, the fourth shears.
+///
+/// source  Smith, de Goes, Kim 2019, "Analytic Eigensystems for Isotropic Distortion Energies", in two dimensions
 struct DirichletModel {
   std::array<std::array<Vec2, 3>, 4>
       rows;  // per direction and corner, 1/px: how the corner's move changes the direction
-  std::array<double, 4> curvatures;  // >= 0, px^2
-  std::array<double, 2> slopes;      // of the first two directions, px^2; of the others 0
+  std::array<double, 4>
+      curvatures;  // px^2; > 0, but of the third: < 0 where a triangle is pressed together
+  std::array<double, 2> slopes;  // of the first two directions, px^2; of the others 0
 
   Vec2 gradient(int corner) const {
     return rows[0][corner] * slopes[0] + rows[1][corner] * slopes[1];

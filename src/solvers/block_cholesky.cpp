@@ -29,7 +29,9 @@ BlockCholesky::BlockCholesky(int size, std::span<std::array<int, 2> const> pairs
 void BlockCholesky::find_order(std::span<std::array<int, 2> const> pairs) {
   if (size() == 0) return;
   std::vector<Eigen::Triplet<double>> triplets;
-  triplets.reserve(2 * pairs.size());
+  triplets.reserve(2 * pairs.size() + order_.size());
+  // Eigen orders rows without a diagonal last, as if they were dense.
+  for (int i = 0; i < size(); ++i) triplets.push_back({i, i, 1});
   for (auto const& [a, b] : pairs) {
     triplets.push_back({a, b, 1});
     triplets.push_back({b, a, 1});
