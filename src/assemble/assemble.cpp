@@ -3,17 +3,13 @@
 
 #include <utility>
 
-#include "assemble/layer_rim.h"
+#include "assemble/drawing_rims.h"
 #include "assemble/mesh_layers.h"
 #include "assemble/plan_joints.h"
 #include "assemble/stitch.h"
-#include "geometry/rect.h"
 
 namespace inkflate {
 namespace {
-
-constexpr double kUnitsAcross = 1000;
-constexpr double kRimStep = 1.5;  // in units; finer than any edge of the meshes
 
 std::optional<Error> find_fault(Drawing const& drawing, AssembleOptions const& options) {
   if (!(options.density >= 0.1 && options.density <= 10)) {
@@ -34,15 +30,6 @@ std::optional<Error> find_fault(Drawing const& drawing, AssembleOptions const& o
     }
   }
   return std::nullopt;
-}
-
-/// A thousandth of the drawing's size, so that small and large canvases give the same meshes.
-double unit_of(Drawing const& drawing) {
-  Rect box;
-  for (auto const& layer : drawing.layers) {
-    for (auto const& piece : layer.outlines.front().pieces) box.include(piece.curve.start());
-  }
-  return box.longer_side() / kUnitsAcross;
 }
 
 /// The open runs as they are, joined to nothing.
@@ -77,11 +64,10 @@ Result<FlatModel> assemble(Drawing const& drawing, AssembleOptions const& option
   Error const cancelled = {ErrorCode::Cancelled, "stopped"};
   if (auto const fault = find_fault(drawing, options)) return *fault;
   if (!progress.enter("join")) return cancelled;
-  double const unit_px = unit_of(drawing);
+  double const unit_px = drawing_unit(drawing);
   if (!(unit_px > 0))
     return Error{ErrorCode::NothingThere, "the drawing's outlines are a single point"};
-  std::vector<LayerRim> rims;
-  for (auto const& layer : drawing.layers) rims.push_back(layer_rim(layer, kRimStep * unit_px));
+  auto rims = drawing_rims(drawing, unit_px);
   auto joined = rims;
   auto plan = plan_joints(joined, unit_px);
   if (options.open == OpenRuns::Capped) {

@@ -12,9 +12,8 @@
 namespace inkflate {
 namespace {
 
-// A move of the last iteration that no further one would add up to anything one could see, though the sum of what follows is some
-// thousand times as large where convergence is slow.
-constexpr double kSettledPx = 1e-7;
+// Of the last iteration. What follows adds up to some hundred times as much, where convergence is slow.
+constexpr double kSettledPx = 1e-8;
 
 // A rotation by t is the complex number (cos t, sin t).
 Vec2 times(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }

@@ -69,11 +69,7 @@ struct ToModel {
 struct ToAction {
   std::string name;
 };
-/// The wheel, while the Deform tool is held down.
-struct ToBendReach {
-  double factor = 1;  // > 0
-};
-using Routed = std::variant<ToTool, ToCamera, ToModel, ToAction, ToBendReach>;
+using Routed = std::variant<ToTool, ToCamera, ToModel, ToAction>;
 
 struct RouteStep {
   PointerState state;

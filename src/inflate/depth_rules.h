@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "inflate/plate.h"
-#include "inflate/triangle_grid.h"
+#include "mesh/triangle_grid.h"
 #include "model/flat_model.h"
 
 namespace inkflate {

@@ -93,8 +93,9 @@ double share_reached(double amount, double length_px, double start, double end) 
   return share < 1 ? share : 1;
 }
 
-/// The points inside of a piece, then its end.
-void append_piece(Measured const& measured, int from, int to, int count, Polyline& result) {
+/// The places inside of a piece, then its end.
+void append_piece(Measured const& measured, int from, int to, int count,
+                  std::vector<LinePlace>& result) {
   auto const& amounts = measured.amounts;
   double const total = amounts[to] - amounts[from];
   int i = from + 1;
@@ -104,21 +105,31 @@ void append_piece(Measured const& measured, int from, int to, int count, Polylin
     double const length_px = measured.along_px[i] - measured.along_px[i - 1];
     double const share = share_reached(wanted - amounts[i - 1], length_px,
                                        1 / measured.spacing[i - 1], 1 / measured.spacing[i]);
-    result.push_back(lerp(measured.line[i - 1], measured.line[i], share));
+    result.push_back({i - 1, share});
   }
-  result.push_back(measured.line[to]);
+  result.push_back({to, 0});
 }
 
 }  // namespace
 
-Polyline resample(std::span<Vec2 const> line, std::span<double const> spacing) {
+std::vector<LinePlace> resample_places(std::span<Vec2 const> line,
+                                       std::span<double const> spacing) {
   CHECK(line.size() >= 2 && line.size() == spacing.size(), "a line has a spacing at each point");
   auto const measured = measure(line, spacing);
   auto const ends = piece_ends(measured);
   auto const counts = edge_counts(measured, ends);
-  Polyline result = {line.front()};
+  std::vector<LinePlace> result = {{0, 0}};
   for (std::size_t k = 1; k < ends.size(); ++k)
     append_piece(measured, ends[k - 1], ends[k], counts[k - 1], result);
+  return result;
+}
+
+Polyline resample(std::span<Vec2 const> line, std::span<double const> spacing) {
+  Polyline result;
+  for (auto const& place : resample_places(line, spacing)) {
+    auto const start = line[place.edge];
+    result.push_back(place.share > 0 ? lerp(start, line[place.edge + 1], place.share) : start);
+  }
   return result;
 }
 

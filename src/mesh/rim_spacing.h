@@ -33,4 +33,13 @@ std::vector<std::vector<double>> rim_spacing(std::span<Contour const> contours,
 /// cost    O(n)
 Polyline resample(std::span<Vec2 const> line, std::span<double const> spacing);
 
+/// A place of a line: so far along the edge that starts at this point. Its last point is a place with the share 0.
+struct LinePlace {
+  int edge = 0;
+  double share = 0;  // 0 .. 1 of the edge
+};
+
+/// The same by where the points lie.
+std::vector<LinePlace> resample_places(std::span<Vec2 const> line, std::span<double const> spacing);
+
 }  // namespace inkflate

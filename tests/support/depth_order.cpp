@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "inflate/triangle_grid.h"
+#include "mesh/triangle_grid.h"
 
 namespace inkflate::support {
 namespace {

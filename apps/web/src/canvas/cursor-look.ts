@@ -36,6 +36,7 @@ export function cursorLook({ state, zoom, isSpaceHeld, isDown }: CursorSetting):
     case "mark":
       return { system: "crosshair", ringPx: null };
     case "select":
+    case "deform":
       return { system: "default", ringPx: null };
   }
 }

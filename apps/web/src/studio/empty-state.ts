@@ -10,6 +10,11 @@ export function emptyState(language: Language): EngineState {
     ink: "#22242b",
     smoothing: 0.5,
     eraserPx: 12,
+    bendMode: "body",
+    bendBody: 1,
+    bendReach: null,
+    pins: 0,
+    hasPin: false,
     hasGrid: true,
     isMirrored: false,
     zoom: 1,
@@ -25,6 +30,6 @@ export function emptyState(language: Language): EngineState {
     isSaved: true,
     fileName: "drawing",
     language,
-    enabled: ["brush", "help_line", "eraser", "mark", "select_tool", "hand", "mode_draw"],
+    enabled: ["brush", "help_line", "eraser", "mark", "select_tool", "deform", "hand", "mode_draw"],
   };
 }

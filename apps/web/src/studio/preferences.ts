@@ -12,6 +12,8 @@ export interface Preferences {
   readonly singleKeys: Signal<"on" | "off">;
   /** First-start hints: done or skipped. */
   readonly hints: Signal<"show" | "done">;
+  /** What the first use of Deform is told: done or skipped. */
+  readonly bendHint: Signal<"show" | "done">;
 }
 
 const choices = {
@@ -20,6 +22,7 @@ const choices = {
   language: ["en", "cs"],
   singleKeys: ["on", "off"],
   hints: ["show", "done"],
+  bendHint: ["show", "done"],
 } as const;
 
 /** Storage may be refused, or hold what another version or person has put there. */
@@ -56,5 +59,6 @@ export function loadPreferences(): Preferences {
     language: preference<Language>("language", choices.language, wanted),
     singleKeys: preference("singleKeys", choices.singleKeys, "on"),
     hints: preference("hints", choices.hints, "show"),
+    bendHint: preference("bendHint", choices.bendHint, "show"),
   };
 }

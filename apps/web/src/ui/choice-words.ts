@@ -6,6 +6,8 @@ const words: Readonly<Record<string, Word>> = {
   matcap: "look_clay",
   textured: "look_drawing",
   lines: "look_lines",
+  body: "bend_body",
+  wire: "as_strip",
   en: "language_english",
   cs: "language_czech",
   on: "on",

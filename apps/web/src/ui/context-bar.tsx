@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { EngineState } from "../protocol/state";
 import { BrushSettings, BrushSize, EraserSize } from "./brush-settings";
+import { DeformSettings } from "./deform-settings";
 import { useEdgeHeight } from "./edge-heights";
 import { GapSlider } from "./gap-slider";
 import { HandSettings } from "./hand-settings";
@@ -48,6 +49,8 @@ function ToolSettings({ state }: { readonly state: EngineState }) {
       return <MarkSettings />;
     case "select":
       return <PartSettings />;
+    case "deform":
+      return <DeformSettings />;
     case "hand":
       return <HandSettings />;
   }

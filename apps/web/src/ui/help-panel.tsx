@@ -5,18 +5,20 @@ import { version } from "../../package.json";
 import type { Menu } from "../protocol/state";
 import type { Word } from "../studio/words";
 import "../styles/help-panel.css";
+import { BendIcon, type Icon } from "./icons";
 import { KeyCap } from "./key-cap";
 import { keyGroups } from "./key-groups";
 import { Panel } from "./panel";
 import { SearchField } from "./search-field";
 import { useStudio } from "./studio-context";
 
-const tips: readonly (readonly [typeof Hand, Word])[] = [
+const tips: readonly (readonly [Icon, Word])[] = [
   [Hand, "tip_two_fingers"],
   [Undo2, "tip_tap_undo"],
   [Eraser, "tip_pen_eraser"],
   [Copy, "tip_double_click"],
   [Spline, "tip_help_line"],
+  [BendIcon, "tip_bend"],
   [MousePointerClick, "tip_right_button"],
 ];
 

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 import { describe, expect, it } from "vitest";
 import type { LayerRow } from "../protocol/state";
-import { advanceHints, hintToShow, type HintFacts, type HintProgress } from "./hint-steps";
+import {
+  advanceHints,
+  bendHint,
+  hintToShow,
+  type HintFacts,
+  type HintProgress,
+} from "./hint-steps";
 
 const part: LayerRow = {
   id: 1,
@@ -64,5 +70,27 @@ describe("first-start hints", () => {
   it("do not take an empty model for an inflated one", () => {
     const empty: HintFacts = { ...blank, state: { ...blank.state, mode: "inflate" } };
     expect(advanceHints(0, empty)).toBe(0);
+  });
+});
+
+describe("the hint of Deform", () => {
+  const bendable = {
+    mode: "draw",
+    tool: "deform",
+    isBlank: false,
+    pins: 0,
+    undo: "simplify",
+  } as const;
+
+  it("is shown when there is something to bend", () => {
+    expect(bendHint(bendable)).toBe("show");
+    expect(bendHint({ ...bendable, isBlank: true })).toBe("wait");
+    expect(bendHint({ ...bendable, tool: "select" })).toBe("wait");
+    expect(bendHint({ ...bendable, mode: "inflate" })).toBe("wait");
+  });
+
+  it("is known to who has bent or pinned", () => {
+    expect(bendHint({ ...bendable, undo: "deform" })).toBe("known");
+    expect(bendHint({ ...bendable, pins: 1 })).toBe("known");
   });
 });

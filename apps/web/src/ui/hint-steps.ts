@@ -44,3 +44,17 @@ export function hintToShow(progress: HintProgress, { state }: HintFacts): HintSt
       return state.mode === "draw" ? null : next;
   }
 }
+
+type BendFacts = Pick<EngineState, "mode" | "tool" | "isBlank" | "pins" | "undo">;
+
+/** What is said when Deform is first chosen and there is something to bend; once it has been bent or pinned, it is known. */
+export function bendHint({
+  mode,
+  tool,
+  isBlank,
+  pins,
+  undo,
+}: BendFacts): "show" | "wait" | "known" {
+  if (mode !== "draw" || tool !== "deform" || isBlank) return "wait";
+  return undo === "deform" || pins > 0 ? "known" : "show";
+}

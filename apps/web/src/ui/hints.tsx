@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { ComponentChildren } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import type { ActionName } from "../protocol/actions.generated";
 import type { Word } from "../studio/words";
 import "../styles/hints.css";
 import {
   advanceHints,
+  bendHint,
   hintSteps,
   hintToShow,
   type HintProgress,
@@ -34,14 +36,56 @@ function HintText({ step }: { readonly step: HintStep }) {
   const { action, withKey, withoutKey } = stepWords[step];
   const areKeysOn = studio.preferences.singleKeys.value === "on";
   const chord = action === null || isCoarse.value || !areKeysOn ? "" : studio.chord(action);
-  return <>{chord === "" ? studio.word(withoutKey) : studio.word(withKey, chord)}</>;
+  return <span>{chord === "" ? studio.word(withoutKey) : studio.word(withKey, chord)}</span>;
 }
 
-function HintCard() {
+interface HintCardProps {
+  readonly text: ComponentChildren;
+  /** How far along the way; before the text. */
+  readonly dots?: ComponentChildren;
+  readonly onSkip: () => void;
+}
+
+/** Steps aside while a hand is at work. */
+function HintCard({ text, dots, onSkip }: HintCardProps) {
+  const studio = useStudio();
+  const isDrawing = useCanvasPress();
+  return (
+    <aside class="hint under-head" data-away={isDrawing} aria-label={studio.word("hints")}>
+      {dots}
+      <p class="hint-text" role="status">
+        {text}
+      </p>
+      <button type="button" class="hint-skip" onClick={onSkip}>
+        {studio.word("skip_hints")}
+      </button>
+    </aside>
+  );
+}
+
+/** One line, the first time that something could be bent. */
+function BendHint() {
+  const studio = useStudio();
+  const { bendHint: wanted } = studio.preferences;
+  const now = bendHint(studio.state.value);
+  useEffect(() => {
+    if (now === "known") wanted.value = "done";
+  }, [now, wanted]);
+  if (now !== "show") return null;
+  return (
+    <HintCard
+      text={<span>{studio.word("hint_bend")}</span>}
+      onSkip={() => {
+        wanted.value = "done";
+      }}
+    />
+  );
+}
+
+function FirstDrawingHint() {
   const studio = useStudio();
   const [progress, setProgress] = useState<HintProgress>(0);
   const isTurned = useModelTurned(studio);
-  const isDrawing = useCanvasPress();
   const facts = { state: studio.state.value, isTurned };
   const advanced = advanceHints(progress, facts);
 
@@ -54,32 +98,30 @@ function HintCard() {
 
   const step = hintToShow(advanced, facts);
   if (step === null) return null;
+  const dots = (
+    <span class="hint-dots" aria-hidden="true">
+      {hintSteps.map((each, index) => (
+        <span key={each} data-done={index < advanced} data-now={each === step} />
+      ))}
+    </span>
+  );
   return (
-    <aside class="hint under-head" data-away={isDrawing} aria-label={studio.word("hints")}>
-      <span class="hint-dots" aria-hidden="true">
-        {hintSteps.map((each, index) => (
-          <span key={each} data-done={index < advanced} data-now={each === step} />
-        ))}
-      </span>
-      <p key={step} class="hint-text" role="status">
-        <HintText step={step} />
-      </p>
-      <button
-        type="button"
-        class="hint-skip"
-        onClick={() => {
-          studio.preferences.hints.value = "done";
-        }}
-      >
-        {studio.word("skip_hints")}
-      </button>
-    </aside>
+    <HintCard
+      text={<HintText key={step} step={step} />}
+      dots={dots}
+      onSkip={() => {
+        studio.preferences.hints.value = "done";
+      }}
+    />
   );
 }
 
 /** A word along the way of the first drawing; it follows what the person does and never asks for it. */
 export function Hints() {
   const studio = useStudio();
-  if (studio.preferences.hints.value === "done" || studio.isStarting.value) return null;
-  return <HintCard />;
+  const { hints, bendHint: ofDeform } = studio.preferences;
+  const { mode, tool } = studio.state.value;
+  if (studio.isStarting.value) return null;
+  if (mode === "draw" && tool === "deform" && ofDeform.value === "show") return <BendHint />;
+  return hints.value === "show" ? <FirstDrawingHint /> : null;
 }

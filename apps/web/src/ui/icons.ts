@@ -11,6 +11,7 @@ export {
   ArrowUp as TurnUpIcon,
   Brush as BrushIcon,
   Check as CheckIcon,
+  CircleDotDashed as FreePinIcon,
   CircleQuestionMark as HelpIcon,
   Copy as DuplicateIcon,
   Eraser as EraserIcon,
@@ -28,9 +29,12 @@ export {
   Menu as MenuIcon,
   Minus as MinusIcon,
   MousePointer2 as SelectIcon,
+  PinOff as RemovePinsIcon,
   Pipette as OtherColourIcon,
   Plus as PlusIcon,
   Redo2 as RedoIcon,
+  RotateCcw as TurnPinLeftIcon,
+  RotateCw as TurnPinRightIcon,
   Save as SaveIcon,
   Search as PaletteIcon,
   Settings as SettingsIcon,
@@ -58,6 +62,28 @@ export const MarkIcon = createLucideIcon("mark", [
   ["path", { d: "M7 3.2A10 10 0 1 0 17 3.2" }],
   ["path", { d: "m9 9 6 6" }],
   ["path", { d: "m15 9-6 6" }],
+]);
+
+/** A limb bent over, and the pin that holds its root. */
+export const BendIcon = createLucideIcon("bend", [
+  [
+    "path",
+    { d: "M3.5 21v-5.5A11.5 11.5 0 0 1 15 4h1.5a4 4 0 0 1 0 8H15a3.5 3.5 0 0 0-3.5 3.5V21" },
+  ],
+  ["circle", { cx: "7.5", cy: "16.5", r: "0.7", fill: "currentColor" }],
+]);
+
+/** The set's pin, with room for a plus. */
+export const AddPinIcon = createLucideIcon("add-pin", [
+  ["path", { d: "M12 17v5" }],
+  [
+    "path",
+    {
+      d: "M13 2H8a2 2 0 0 0 0 4 1 1 0 0 1 1 1v3.76a2 2 0 0 1-1.11 1.79l-1.78.9A2 2 0 0 0 5 15.24V16a1 1 0 0 0 1 1h12a1 1 0 0 0 1-1v-.76a2 2 0 0 0-1.11-1.79l-1.78-.9A2 2 0 0 1 15 10.76V10",
+    },
+  ],
+  ["path", { d: "M19 2v6" }],
+  ["path", { d: "M16 5h6" }],
 ]);
 
 /** A face looked at from the front. */

@@ -27,3 +27,15 @@ describe.each([
     }
   });
 });
+
+describe("a ratio scale of small values", () => {
+  const scale = ratioScale(0.003, 1);
+
+  it("tells each position from the next", () => {
+    const values = Array.from({ length: 101 }, (_, position) => scale.toValue(position));
+    expect(values[0]).toBe(0.003);
+    expect(values[100]).toBe(1);
+    // Two digits: where they are coarsest, two steps may be one.
+    expect(new Set(values).size).toBeGreaterThan(90);
+  });
+});

@@ -8,7 +8,7 @@ function clamped(value: number, least: number, most: number): number {
 /** Two digits are all that a hand can tell. */
 function rounded(value: number): number {
   if (value >= 10) return Math.round(value);
-  return Math.round(value * 10) / 10;
+  return value >= 1 ? Math.round(value * 10) / 10 : Number(value.toPrecision(2));
 }
 
 /** Equal ways are equal differences. */

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Signal } from "@preact/signals";
-import { useId } from "preact/hooks";
 import type { Word } from "../studio/words";
 import "../styles/settings-panel.css";
 import { Panel } from "./panel";
 import { Segmented } from "./segmented";
 import { useStudio } from "./studio-context";
+import { SwitchRow } from "./switch-row";
 import { useStorageEstimate } from "./use-storage-estimate";
 
 interface ChoiceRowProps<T extends string> {
@@ -29,38 +29,6 @@ function ChoiceRow<T extends string>({ label, setting, choices }: ChoiceRowProps
           setting.value = value;
         }}
       />
-    </div>
-  );
-}
-
-interface SwitchRowProps {
-  readonly label: string;
-  readonly note?: string;
-  readonly isOn: boolean;
-  readonly onSwitch: (isOn: boolean) => void;
-}
-
-function SwitchRow({ label, note, isOn, onSwitch }: SwitchRowProps) {
-  const noteId = useId();
-  return (
-    <div class="setting">
-      <label class="setting-switch">
-        <span>{label}</span>
-        <input
-          type="checkbox"
-          role="switch"
-          checked={isOn}
-          aria-describedby={note === undefined ? undefined : noteId}
-          onChange={(event) => {
-            onSwitch(event.currentTarget.checked);
-          }}
-        />
-      </label>
-      {note !== undefined && (
-        <p id={noteId} class="setting-note">
-          {note}
-        </p>
-      )}
     </div>
   );
 }
@@ -92,7 +60,7 @@ function Storage() {
 /** How a person likes the studio; nothing of it is in the drawing. */
 export function SettingsPanel() {
   const studio = useStudio();
-  const { theme, paper, language, singleKeys, hints } = studio.preferences;
+  const { theme, paper, language, singleKeys, hints, bendHint } = studio.preferences;
   const close = () => {
     studio.panel.value = null;
   };
@@ -143,7 +111,7 @@ export function SettingsPanel() {
         note={studio.word("hints_note")}
         isOn={hints.value === "show"}
         onSwitch={(isOn) => {
-          hints.value = isOn ? "show" : "done";
+          hints.value = bendHint.value = isOn ? "show" : "done";
         }}
       />
       <Storage />

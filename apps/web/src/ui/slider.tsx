@@ -22,10 +22,20 @@ interface SliderProps {
   /** As people read it. */
   readonly text: (value: number) => string;
   readonly onInput: (value: number) => void;
+  /** Words at both ends say it all: name and value are only read out. */
+  readonly ends?: readonly [least: string, most: string];
+}
+
+function SliderEnd({ word }: { readonly word: string }) {
+  return (
+    <span class="slider-end" aria-hidden="true">
+      {word}
+    </span>
+  );
 }
 
 /** A slider with its name and its value. It stays under the hand while the core is still at work on the value before. */
-export function Slider({ label, value, scale, text, onInput }: SliderProps) {
+export function Slider({ label, value, scale, text, onInput, ends }: SliderProps) {
   const id = useId();
   const [held, hold] = useState<number | null>(null);
   const take = useRef(onInput);
@@ -61,7 +71,10 @@ export function Slider({ label, value, scale, text, onInput }: SliderProps) {
 
   return (
     <div class="slider">
-      <label for={id}>{label}</label>
+      <label for={id} class={ends && "visually-hidden"}>
+        {label}
+      </label>
+      {ends && <SliderEnd word={ends[0]} />}
       <input
         id={id}
         type="range"
@@ -74,7 +87,7 @@ export function Slider({ label, value, scale, text, onInput }: SliderProps) {
         onInput={onRangeInput}
         onChange={onRangeChange}
       />
-      <output for={id}>{text(shown)}</output>
+      {ends ? <SliderEnd word={ends[1]} /> : <output for={id}>{text(shown)}</output>}
     </div>
   );
 }

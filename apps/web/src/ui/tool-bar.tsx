@@ -3,6 +3,7 @@ import type { ActionName } from "../protocol/actions.generated";
 import type { Tool } from "../protocol/state";
 import { IconButton } from "./icon-button";
 import {
+  BendIcon,
   BrushIcon,
   EraserIcon,
   HandIcon,
@@ -31,6 +32,7 @@ const groups: readonly (readonly ToolRow[])[] = [
   [
     { tool: "mark", action: "mark", icon: MarkIcon },
     { tool: "select", action: "select_tool", icon: SelectIcon },
+    { tool: "deform", action: "deform", icon: BendIcon },
     { tool: "hand", action: "hand", icon: HandIcon },
   ],
 ];
@@ -62,7 +64,7 @@ export function ToolBar() {
       data-is-away={mode !== "draw"}
     >
       {groups.map((rows, index) => (
-        <div key={index} class="tool-group">
+        <div key={index} class="tool-group" style={{ "--count": rows.length }}>
           {rows.map(button)}
         </div>
       ))}

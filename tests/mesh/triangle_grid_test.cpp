@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "inflate/triangle_grid.h"
+#include "mesh/triangle_grid.h"
 
 #include <gtest/gtest.h>
 

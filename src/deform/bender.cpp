@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deform/bender.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "deform/body_mesh.h"
+#include "deform/body_solver.h"
+#include "deform/line_anchors.h"
+#include "deform/outline_ride.h"
+#include "deform/reach.h"
+#include "deform/strip_mesh.h"
+#include "deform/wire_solver.h"
+#include "deform/wire_strip.h"
+
+namespace inkflate {
+namespace {
+
+// Cuts of an outline are joined again where that moves nothing by more than this, or by this share of the shape's size if that is
+// less: too little to be seen.
+constexpr double kJoinPx = 0.02;
+constexpr double kJoinShare = 1e-4;
+
+bool is_outline(Outline const& outline) { return !outline.pieces.empty(); }
+
+Rect box_of(BendShape const& shape) {
+  Rect box;
+  for (auto const& outline : shape.outlines) {
+    for (auto const& piece : outline.pieces) box = united(box, bounds(piece.curve.control));
+  }
+  for (auto const& line : shape.lines) box = united(box, bounds(line));
+  return box;
+}
+
+/// The outlines as strips along them, as the thesis has it.
+ShapeMesh wire_mesh(std::span<Outline const> outlines, double half_width_px) {
+  auto const rims = sample_rims(outlines, rim_edge_px(outlines));
+  ShapeMesh result;
+  std::vector<Contour> contours;
+  for (int i = 0; i < std::ssize(rims); ++i) {
+    if (rims[i].points.size() < 3) continue;
+    contours.push_back(rims[i].points);
+    result.origins.push_back({i, rims[i].parameters});
+  }
+  result.mesh = wire_strip(contours, half_width_px);
+  return result;
+}
+
+ShapeMesh strips_along(std::span<Outline const> outlines, double longer_side_px) {
+  std::vector<LineSamples> rims;
+  double const half_width_px = strip_half_width_px(longer_side_px);
+  for (auto const& outline : outlines) rims.push_back(sample_outline(outline, half_width_px / 2));
+  return strip_mesh(rims, half_width_px);
+}
+
+ShapeMesh mesh_of(BendShape const& shape, BendOptions const& options) {
+  double const size = box_of(shape).longer_side();
+  if (std::any_of(shape.outlines.begin(), shape.outlines.end(), is_outline)) {
+    if (options.mode == BendMode::Wire) {
+      auto wire = wire_mesh(shape.outlines, options.strip_half_width_px);
+      if (!wire.mesh.lines.empty()) return wire;
+    } else if (auto body = body_mesh(shape.outlines, options.body)) {
+      return std::move(*body);
+    }
+    return strips_along(shape.outlines, size);
+  }
+  std::vector<LineSamples> lines;
+  for (auto const& line : shape.lines) lines.push_back(sample_line(line));
+  return strip_mesh(lines, strip_half_width_px(size));
+}
+
+}  // namespace
+
+struct Bender::Inside {
+  using Solver = std::variant<BodySolver, WireSolver>;
+
+  Inside(BendShape shape, ShapeMesh mesh, BendMode mode)
+      : rest(std::move(shape)),
+        meshed(std::move(mesh)),
+        field(meshed.mesh),
+        anchors(meshed.mesh),
+        places(meshed),
+        solver(mode == BendMode::Wire ? Solver(WireSolver(meshed.mesh))
+                                      : Solver(BodySolver(meshed.mesh))) {
+    join_px = std::min(kJoinPx, kJoinShare * box_of(rest).longer_side());
+    for (int i = 0; i < std::ssize(rest.outlines); ++i)
+      outlines.emplace_back(rest.outlines[i], meshed, i, places);
+    for (int i = 0; i < std::ssize(rest.lines); ++i) add_line(i);
+  }
+
+  void add_line(int index) {
+    // Lines are in the mesh themselves where there are no outlines.
+    bool const is_own = rest.outlines.empty();
+    auto const own = std::find_if(meshed.origins.begin(), meshed.origins.end(),
+                                  [&](BendLineOrigin const& o) { return o.index == index; });
+    int const line = static_cast<int>(own - meshed.origins.begin());
+    for (int k = 0; k < std::ssize(rest.lines[index]); ++k) {
+      Vec2 const point = rest.lines[index][k];
+      int const place = is_own && own != meshed.origins.end() ? places.add_on_line(line, k, point)
+                                                              : places.add(point);
+      line_places.push_back(place);
+    }
+  }
+
+  BendShape rest;
+  ShapeMesh meshed;
+  MotionField field;
+  LineAnchors anchors;
+  RidePlaces places;
+  Solver solver;
+  std::vector<OutlineRide> outlines;
+  std::vector<int> line_places;  // of all points of all lines, in order
+  double join_px = 0;
+};
+
+Bender::Bender(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+Bender::~Bender() = default;
+Bender::Bender(Bender&&) noexcept = default;
+Bender& Bender::operator=(Bender&&) noexcept = default;
+
+Result<Bender> Bender::make(BendShape rest, BendOptions const& options) {
+  if (!(options.body >= BendOptions::kLeastBody && options.body <= 1))
+    return Error{ErrorCode::BadOption, "the body is out of its range"};
+  if (!(options.strip_half_width_px >= 0 && std::isfinite(options.strip_half_width_px)))
+    return Error{ErrorCode::BadOption, "the strip's width is out of its range"};
+  auto meshed = mesh_of(rest, options);
+  if (meshed.mesh.rest.triangles.empty())
+    return Error{ErrorCode::NothingThere, "there is nothing to bend"};
+  return Bender(std::make_unique<Inside>(std::move(rest), std::move(meshed), options.mode));
+}
+
+BendMesh const& Bender::mesh() const { return inside_->meshed.mesh; }
+BendPose const& Bender::rest_pose() const { return inside_->meshed.mesh.rest.points; }
+
+BendAnchor Bender::nearest(BendPose const& pose, Vec2 canvas) const {
+  return inside_->anchors.nearest(pose, canvas);
+}
+
+std::vector<char> Bender::beyond_reach(BendAnchor const& from, double reach_px) const {
+  std::vector<char> beyond;
+  for (double const px : ways_inside(inside_->meshed.mesh.rest, from))
+    beyond.push_back(px > reach_px ? 1 : 0);
+  return beyond;
+}
+
+BendProgress Bender::step(BendPose& pose, BendHold const& hold, int steps) {
+  return std::visit([&](auto& solver) { return solver.step(pose, hold, steps); }, inside_->solver);
+}
+
+BendShape Bender::bent(BendPose const& pose) const {
+  auto const& own = *inside_;
+  auto const motions = own.field.motions(pose);
+  BendShape shape;
+  for (auto const& outline : own.outlines)
+    shape.outlines.push_back(outline.bent(own.places, motions, own.join_px));
+  shape.lines = own.rest.lines;
+  auto next = own.line_places.begin();
+  for (auto& line : shape.lines) {
+    for (auto& point : line) {
+      Vec2 const shift = own.places.shift(motions, *next++);
+      // Adding zeros may change a negative zero.
+      if (shift != Vec2{}) point += shift;
+    }
+  }
+  return shape;
+}
+
+}  // namespace inkflate

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/bend_joints.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+#include "assemble/joined_runs.h"
+
+namespace inkflate {
+namespace {
+
+// So many stretches of a mouth: between two of them even a wide one follows its host to half a pixel.
+constexpr std::size_t kStretches = 24;
+
+/// Points of a finely sampled run, both ends among them.
+Polyline coarse(Polyline const& run) {
+  Polyline points;
+  std::size_t const last = run.size() - 1;
+  std::size_t const stretches = std::clamp<std::size_t>(last, 1, kStretches);
+  for (std::size_t k = 0; k <= stretches; ++k) points.push_back(run[k * last / stretches]);
+  return points;
+}
+
+enum class Among { Seen, All };
+
+/// The drawing that is inflated, or all of it: parts that are not seen join what they would join.
+std::vector<JoinedRun> runs_of(Document const& document, Among which) {
+  Drawing drawing;
+  for (auto const& layer : *document.layers) {
+    bool const is_out = which == Among::Seen && layer->layer.is_hidden;
+    // Without outlines it keeps its place and joins nothing.
+    drawing.layers.push_back(is_out ? Layer{} : layer->layer);
+  }
+  return joined_runs(drawing);
+}
+
+/// The joints of a document: limbs that are seen join parts that are seen.
+std::vector<BendJoint> joints_of(Document const& document) {
+  auto const& layers = *document.layers;
+  auto runs = runs_of(document, Among::Seen);
+  bool const is_all_seen =
+      std::none_of(layers.begin(), layers.end(), [](auto const& l) { return l->layer.is_hidden; });
+  if (!is_all_seen) {
+    for (auto& run : runs_of(document, Among::All)) {
+      if (layers[run.limb]->layer.is_hidden) runs.push_back(std::move(run));
+    }
+  }
+  std::vector<BendJoint> joints;
+  for (auto const& run : runs) {
+    if (run.points.empty()) continue;
+    joints.push_back(
+        {layers[run.limb]->layer.id, layers[run.host]->layer.id, coarse(run.points), {}, {}, {}});
+  }
+  return joints;
+}
+
+BendPart* ready_part(BendParts const& parts, LayerId layer) {
+  auto const found = parts.find(layer);
+  return found != parts.end() && found->second->is_ready() ? found->second.get() : nullptr;
+}
+
+void anchor_limb(BendJoint& joint, BendPart const& limb, BendPart const* host) {
+  auto const& pose = limb.now().pose;
+  for (int i = 0; i < std::ssize(joint.points); ++i) {
+    auto const anchor = limb.nearest(pose, joint.points[i]);
+    auto const place = place_of(limb.mesh().rest, pose, anchor);
+    auto const hosts = host != nullptr && !joint.hooks.empty()
+                           ? place_of(host->mesh(), host->now().pose, joint.hooks[i])
+                           : joint.points[i];
+    joint.anchors.push_back(anchor);
+    joint.beside.push_back(place - hosts);
+  }
+}
+
+}  // namespace
+
+Vec2 mouth_place(BendJoint const& joint, int point, BendPart const& host, BendPose const* pose) {
+  auto const beside = joint.beside.empty() ? Vec2{} : joint.beside[point];
+  if (pose == nullptr || joint.hooks.empty()) return joint.points[point] + beside;
+  return place_of(host.mesh(), *pose, joint.hooks[point]) + beside;
+}
+
+void BendJoints::meet(Document const& document, BendParts const& parts) {
+  std::vector<Known> met;
+  for (auto const& layer : *document.layers) {
+    auto const part = parts.find(layer->layer.id);
+    if (part != parts.end()) met.push_back({part->first, part->second, layer->layer.is_hidden});
+  }
+  if (met == known_) return;
+  std::set<LayerId> old;
+  for (auto const& known : known_) {
+    if (std::find(met.begin(), met.end(), known) != met.end()) old.insert(known.layer);
+  }
+  auto const is_old = [&](BendJoint const& joint) {
+    return old.count(joint.limb) > 0 && old.count(joint.host) > 0;
+  };
+  std::erase_if(joints_, [&](BendJoint const& joint) { return !is_old(joint); });
+  for (auto& joint : joints_of(document)) {
+    if (!is_old(joint)) joints_.push_back(std::move(joint));
+  }
+  known_ = std::move(met);
+}
+
+void BendJoints::anchor(BendParts const& parts) {
+  for (auto& joint : joints_) {
+    auto* const limb = ready_part(parts, joint.limb);
+    auto* const host = ready_part(parts, joint.host);
+    if (host != nullptr && joint.hooks.empty()) {
+      for (auto const point : joint.points) {
+        joint.hooks.push_back(hook_at(host->mesh(), host->now().pose, point));
+      }
+    }
+    if (limb != nullptr && joint.anchors.empty()) anchor_limb(joint, *limb, host);
+  }
+}
+
+std::vector<LayerId> hanging_layers(std::vector<LayerId> const& layers, BendJoints const& joints,
+                                    std::set<LayerId> const& locked) {
+  auto reached = layers;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    for (auto const& joint : joints.all()) {
+      bool const hangs = joint.host == reached[i] && locked.count(joint.limb) == 0 &&
+                         std::find(reached.begin(), reached.end(), joint.limb) == reached.end();
+      if (hangs) reached.push_back(joint.limb);
+    }
+  }
+  return {reached.begin() + std::ssize(layers), reached.end()};
+}
+
+std::vector<LayerId> hosts_first(std::vector<LayerId> layers, BendJoints const& joints) {
+  std::vector<LayerId> ordered;
+  while (!layers.empty()) {
+    auto const is_waiting = [&](LayerId layer) {
+      return std::find(layers.begin(), layers.end(), layer) != layers.end();
+    };
+    auto const is_free = [&](LayerId layer) {
+      return std::none_of(joints.all().begin(), joints.all().end(), [&](BendJoint const& joint) {
+        return joint.limb == layer && is_waiting(joint.host);
+      });
+    };
+    auto next = std::find_if(layers.begin(), layers.end(), is_free);
+    if (next == layers.end()) next = layers.begin();
+    ordered.push_back(*next);
+    layers.erase(next);
+  }
+  return ordered;
+}
+
+}  // namespace inkflate

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "pipeline/bend_hook.h"
+#include "pipeline/bend_part.h"
+
+namespace inkflate {
+
+/// The parts of one document by the layers that they are now.
+using BendParts = std::map<LayerId, std::shared_ptr<BendPart>>;
+
+/// A mouth of a part and where on its host it stays.
+struct BendJoint {
+  LayerId limb = LayerId::None;
+  LayerId host = LayerId::None;
+  Polyline points;                  // along the mouth, as it was when the joint was found
+  std::vector<BendAnchor> anchors;  // of the points in the limb's mesh; empty: it has none yet
+  std::vector<BendHook> hooks;      // in the host's mesh; empty: it has none yet
+  std::vector<Vec2>
+      beside;  // from the host's places to the limb's: a hair, as anchors are on the line
+};
+
+/// Where the host has a point of the mouth while it lies in this pose; null: as it was when the joint was found.
+Vec2 mouth_place(BendJoint const& joint, int point, BendPart const& host, BendPose const* pose);
+
+/// What joins what, among the parts of one document after the other. Joints stay as they were found for as long as both their parts
+/// are the same, whatever poses they take.
+class BendJoints {
+ public:
+  /// Takes another document. cost: that of joined_runs, where a part is new; else O(parts)
+  void meet(Document const& document, BendParts const& parts);
+  /// Anchors the joints of parts that have got a mesh since.
+  void anchor(BendParts const& parts);
+
+  std::vector<BendJoint> const& all() const { return joints_; }
+
+ private:
+  /// A part, and whether it was seen.
+  struct Known {
+    LayerId layer = LayerId::None;
+    std::shared_ptr<BendPart> part;
+    bool is_hidden = false;
+
+    friend bool operator==(Known const&, Known const&) = default;
+  };
+
+  std::vector<Known> known_;
+  std::vector<BendJoint> joints_;
+};
+
+/// The layers that hang on these ones, over as many joints as it takes, nearest first; the layers themselves are not among them.
+/// What hangs on a part that is locked stays with it.
+std::vector<LayerId> hanging_layers(std::vector<LayerId> const& layers, BendJoints const& joints,
+                                    std::set<LayerId> const& locked);
+
+/// The layers so ordered that each comes after those of its hosts that are among them. Where some hang on one another in a circle it
+/// begins with the one that stands first.
+std::vector<LayerId> hosts_first(std::vector<LayerId> layers, BendJoints const& joints);
+
+}  // namespace inkflate

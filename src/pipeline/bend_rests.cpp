@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/bend_rests.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+namespace inkflate {
+namespace {
+
+// Rough strokes whose rest is known; others begin a new one.
+constexpr std::size_t kStrokes = 64;
+
+bool has_outline(Layer const& layer) {
+  return !layer.outlines.empty() && !layer.outlines.front().pieces.empty();
+}
+
+Error not_there() { return {ErrorCode::BadInput, "there is no such part or stroke to bend"}; }
+
+std::optional<Error> fault_of(Layer const& layer) {
+  auto const index = static_cast<long long>(layer.id);
+  if (layer.is_locked)
+    return Error{ErrorCode::BadInput, "the part is locked: unlock it first", index};
+  if (layer.is_hidden)
+    return Error{ErrorCode::BadInput, "the part is hidden: show it first", index};
+  return std::nullopt;
+}
+
+}  // namespace
+
+void BendRests::meet(Document const& document) {
+  for (auto const& layer : *document.layers) {
+    if (!has_outline(layer->layer)) {
+      parts_.erase(layer->layer.id);
+      continue;
+    }
+    BendSource const source = {layer, {}};
+    auto& part = parts_[layer->layer.id];
+    if (!part || !part->meet(source)) part = std::make_shared<BendPart>(source);
+  }
+  joints_.meet(document, parts_);
+}
+
+Result<BendRoot> BendRests::root(Document const& document, LayerId layer,
+                                 BendOptions const& options) {
+  auto const found = layer_of(document, layer);
+  if (!found) return not_there();
+  if (auto const fault = fault_of(found->layer)) return *fault;
+  auto const part = parts_.find(layer);
+  if (part == parts_.end()) {
+    return Error{ErrorCode::NothingThere, "the part has no outline yet: close it first",
+                 static_cast<long long>(layer)};
+  }
+  if (auto const fault = part->second->make_ready(options)) return *fault;
+  return BendRoot{part->second, {}};
+}
+
+Result<BendRoot> BendRests::root(Document const& document, StrokeRef const& stroke,
+                                 BendOptions const& options) {
+  auto const found = stroke_of(document, stroke);
+  if (!found) return not_there();
+  if (auto const layer = layer_of(document, stroke.layer)) {
+    if (auto const fault = fault_of(layer->layer)) return *fault;
+    if (has_outline(layer->layer)) return root(document, stroke.layer, options);
+    if (!layer->layer.is_open) return not_there();
+  }
+  BendSource const source = {{}, found};
+  auto known = std::find_if(strokes_.begin(), strokes_.end(),
+                            [&](auto const& part) { return part->meet(source); });
+  auto const part = known != strokes_.end() ? *known : std::make_shared<BendPart>(source);
+  if (auto const fault = part->make_ready(options)) return *fault;
+  if (known != strokes_.end()) strokes_.erase(known);
+  strokes_.push_back(part);
+  if (strokes_.size() > kStrokes) strokes_.erase(strokes_.begin());
+  return BendRoot{part, stroke};
+}
+
+BendRig BendRests::rig(Document const& document, std::vector<BendRoot> const& roots,
+                       BendOptions const& options) {
+  std::vector<LayerId> layers;
+  for (auto const& root : roots) {
+    if (!root.stroke) layers.push_back(root.part->now().source.layer->layer.id);
+  }
+  std::set<LayerId> locked;
+  for (auto const& layer : *document.layers) {
+    if (layer->layer.is_locked) locked.insert(layer->layer.id);
+  }
+  auto hanging = hanging_layers(layers, joints_, locked);
+  std::erase_if(hanging,
+                [&](LayerId layer) { return parts_.at(layer)->make_ready(options).has_value(); });
+  joints_.anchor(parts_);
+  return BendRig(roots, hanging, parts_, joints_);
+}
+
+}  // namespace inkflate

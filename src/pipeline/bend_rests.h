@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "pipeline/bend_joints.h"
+#include "pipeline/bend_part.h"
+#include "pipeline/bend_rig.h"
+
+namespace inkflate {
+
+/// The parts of a document at rest, kept over the documents that come of it.
+class BendRests {
+ public:
+  /// Takes another document: its layers are versions of parts that are known, or new parts.
+  void meet(Document const& document);
+
+  /// A part to be held by hand, ready to be bent. in: the document that was met last
+  /// errors  BadInput (no such layer or stroke; hidden or locked), NothingThere (a layer without outlines), those of Bender::make
+  Result<BendRoot> root(Document const& document, LayerId layer, BendOptions const& options);
+  Result<BendRoot> root(Document const& document, StrokeRef const& stroke,
+                        BendOptions const& options);
+
+  /// These parts and all that hang on them. What cannot be bent stays. They have to be of the document that was met last.
+  BendRig rig(Document const& document, std::vector<BendRoot> const& roots,
+              BendOptions const& options);
+
+ private:
+  BendParts parts_;
+  std::vector<std::shared_ptr<BendPart>> strokes_;  // the newest last
+  BendJoints joints_;
+};
+
+}  // namespace inkflate

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/bend_session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "document/apply.h"
+#include "document/check_values.h"
+#include "pipeline/bend_rests.h"
+
+namespace inkflate {
+namespace {
+
+// Of what is held by hand: as many as a frame has room for, and between frames of the pointer.
+constexpr int kStepsOfDrag = 2;
+constexpr int kStepsOfSettling = 4;
+
+// A shape comes to rest in about ten steps, each stretch that the hand jumped over takes one more. Shapes that cannot come to rest stop
+// here.
+constexpr int kMostRounds = 40;
+constexpr int kMostIdleRounds = 400;
+
+// After this many rounds what the new reach lets move is about where it was.
+constexpr int kRoundsOfReach = 6;
+
+bool is_valid(BendReach const& reach) { return !reach.px || (*reach.px > 0); }
+
+Vec2 on_sheet(Vec2 p) {
+  constexpr double most = DocumentLimits::kFarthestPx;
+  return {std::clamp(p.x, -most, most), std::clamp(p.y, -most, most)};
+}
+
+Error bad_input(char const* message) { return {ErrorCode::BadInput, message}; }
+
+}  // namespace
+
+struct BendSession::Inside {
+  BendRests rests;
+  BendOptions options;
+  std::optional<BendRig> rig;  // while something is held
+  std::shared_ptr<BendPart> part;
+  int handle = 0;
+  BendAnchor anchor;    // of the handle
+  Vec2 from_place;      // from where the hand took it to where the handle is
+  int idle_rounds = 0;  // since the hand moved
+
+  std::optional<Error> grab(Document const& document, BendGrab const& what, BendReach reach) {
+    rests.meet(document);
+    auto root = what.layer == LayerId::None ? rests.root(document, *what.stroke, options)
+                                            : rests.root(document, what.layer, options);
+    if (!root) return root.error();
+    part = root->part;
+    auto const& pins = part->now().pins;
+    if (what.pin && (*what.pin < 0 || *what.pin >= std::ssize(pins))) {
+      return bad_input("the part has no such pin");
+    }
+    auto made = rests.rig(document, {*root}, options);
+    auto const& at = what.pin ? pins[static_cast<std::size_t>(*what.pin)].anchor
+                              : part->nearest(part->now().pose, what.place);
+    anchor = at;
+    handle = what.pin ? *what.pin : made.hold(0, anchor);
+    from_place = made.start(0, handle) - what.place;
+    rig = std::move(made);
+    set_reach(reach);
+    idle_rounds = 0;
+    return std::nullopt;
+  }
+
+  void set_reach(BendReach reach) {
+    rig->fix(reach.px ? part->bender().beyond_reach(anchor, *reach.px) : std::vector<char>{});
+  }
+
+  bool is_settled() const { return idle_rounds >= kMostIdleRounds || rig->is_settled(); }
+};
+
+BendSession::BendSession() : inside_(std::make_unique<Inside>()) {}
+BendSession::~BendSession() = default;
+BendSession::BendSession(BendSession&&) noexcept = default;
+BendSession& BendSession::operator=(BendSession&&) noexcept = default;
+
+std::optional<Error> BendSession::grab(Document const& document, BendGrab const& what,
+                                       BendReach reach, BendOptions const& options) {
+  release(nullptr);
+  if (!is_on_sheet(what.place) || !is_valid(reach)) {
+    return bad_input("a place or a reach that is no number or too large");
+  }
+  if (what.layer == LayerId::None && !what.stroke) {
+    return Error{ErrorCode::NothingThere, "there is no line to hold here"};
+  }
+  auto& inside = *inside_;
+  bool const is_other_mesh = options.mode != inside.options.mode ||
+                             options.strip_half_width_px != inside.options.strip_half_width_px;
+  if (is_other_mesh) forget();
+  inside.options = options;
+  return inside.grab(document, what, reach);
+}
+
+void BendSession::drag(Vec2 target, std::optional<double> turn_rad) {
+  auto& inside = *inside_;
+  bool const is_number = is_finite(target) && std::isfinite(turn_rad.value_or(0));
+  if (!inside.rig || !is_number) return;
+  inside.rig->move(0, inside.handle, on_sheet(target + inside.from_place), turn_rad);
+  inside.rig->step(kStepsOfDrag);
+  inside.idle_rounds = 0;
+}
+
+void BendSession::set_reach(BendReach reach) {
+  auto& inside = *inside_;
+  if (!inside.rig || !is_valid(reach)) return;
+  inside.set_reach(reach);
+  inside.rig->restart();
+  inside.idle_rounds = 0;
+  for (int i = 0; i < kRoundsOfReach && !inside.is_settled(); ++i) settle();
+}
+
+bool BendSession::is_holding() const { return inside_->rig.has_value(); }
+
+bool BendSession::is_settled() const { return !inside_->rig || inside_->is_settled(); }
+
+void BendSession::settle() {
+  if (is_settled()) return;
+  inside_->rig->step(kStepsOfSettling);
+  ++inside_->idle_rounds;
+}
+
+void BendSession::finish() {
+  if (!inside_->rig) return;
+  for (int i = 0; i < kMostRounds && !is_settled(); ++i) settle();
+  inside_->rig->snap();
+}
+
+std::vector<Command> BendSession::commands() const {
+  return inside_->rig ? inside_->rig->commands() : std::vector<Command>{};
+}
+
+void BendSession::release(Document const* result) {
+  if (inside_->rig && result != nullptr) inside_->rig->remember(*result);
+  inside_->rig.reset();
+  inside_->part.reset();
+}
+
+void BendSession::forget() {
+  release(nullptr);
+  inside_->rests = {};
+}
+
+}  // namespace inkflate

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/bend_session.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "document/apply.h"
+#include "support/bend_hand.h"
+#include "support/characters.h"
+#include "support/editor_documents.h"
+#include "support/sketches.h"
+
+namespace inkflate {
+namespace {
+
+// On the outlines of the document.
+constexpr Vec2 kTopOfBody = {400, 190};
+constexpr Vec2 kBottomOfBody = {400, 710};
+constexpr Vec2 kTipOfArm = {758.8, 330.3};
+
+BendGrab body_at(Vec2 place) { return {kBody, {}, {}, place}; }
+
+bool is_shared(Document const& a, Document const& b, LayerId layer) {
+  return find_layer(a, layer) == find_layer(b, layer);
+}
+
+/// Where the middle of the mouth is: the outline's only closing.
+Vec2 mouth_of(Document const& document, LayerId layer) {
+  for (auto const& run : runs(layer_of_hand(document, layer).outlines.front(), 0.01)) {
+    if (run.kind == RunKind::Closing) return run.points[run.points.size() / 2];
+  }
+  ADD_FAILURE() << "no mouth";
+  return {};
+}
+
+TEST(BendSession, APartThatNothingHoldsMovesAsAWholeAndWhatHangsOnItToo) {
+  BendHand hand(jointed_document());
+  auto const before = hand.document;
+  auto const commands = hand.drag(body_at(kTopOfBody), kTopOfBody + Vec2{120, -75});
+  ASSERT_EQ(commands.size(), 1);
+  for (auto const layer : {kBody, kArm, kHand, kLeg}) {
+    auto const& old = layer_of_hand(before, layer).outlines.front().pieces;
+    auto const& now = layer_of_hand(hand.document, layer).outlines.front().pieces;
+    ASSERT_EQ(old.size(), now.size());
+    for (std::size_t i = 0; i < old.size(); ++i) {
+      auto const moved = old[i].curve.start() + Vec2{120, -75};
+      EXPECT_LT(distance(now[i].curve.start(), moved), 1e-9);
+    }
+    auto const& stroke = find_layer(hand.document, layer)->strokes[0]->stroke;
+    auto const& old_stroke = find_layer(before, layer)->strokes[0]->stroke;
+    auto const moved = old_stroke.samples[1].position + Vec2{120, -75};
+    EXPECT_LT(distance(stroke.samples[1].position, moved), 1e-9);
+  }
+}
+
+TEST(BendSession, DraggingBackGivesTheShapeBack) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  auto const before = hand.document;
+  auto const to = kTopOfBody + Vec2{210, 60};
+  hand.drag(body_at(kTopOfBody), to);
+  EXPECT_GT(contour_distance(layer_of_hand(before, kBody), layer_of_hand(hand.document, kBody)),
+            50);
+  EXPECT_GT(contour_distance(layer_of_hand(before, kHand), layer_of_hand(hand.document, kHand)),
+            50);
+  hand.drag(body_at(to), kTopOfBody);
+  for (auto const layer : {kBody, kArm, kHand, kLeg}) {
+    EXPECT_EQ(outline_distance(before, hand.document, layer), 0) << static_cast<int>(layer);
+  }
+}
+
+TEST(BendSession, PinsHoldAndTheHeldPlaceGoesWithTheHand) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}, {{240, 450}}});
+  hand.drag(body_at(kTopOfBody), {480, 150});
+  auto const contour = flatten(layer_of_hand(hand.document, kBody).outlines.front(), 0.01);
+  for (auto const held : {kBottomOfBody, Vec2{240, 450}, Vec2{480, 150}}) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < contour.size(); ++i) {
+      least = std::min(least, squared_distance_to_segment(held, contour[i - 1], contour[i]));
+    }
+    EXPECT_LT(std::sqrt(least), 1) << held.x << " " << held.y;
+  }
+  EXPECT_EQ(layer_of_hand(hand.document, kBody).bend_pins[1].position, (Vec2{240, 450}));
+}
+
+TEST(BendSession, ADraggedPinStaysWhereItWasDraggedAndTheOthersStay) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}, {kTopOfBody}});
+  auto const commands = hand.drag_pin(kBody, 1, {470, 200});
+  ASSERT_EQ(commands.size(), 2);
+  auto const& pins = std::get<SetBendPins>(commands[1]).pins;
+  ASSERT_EQ(pins.size(), 2);
+  EXPECT_EQ(pins[0].position, kBottomOfBody);
+  EXPECT_LT(distance(pins[1].position, {470, 200}), 1e-9);
+}
+
+TEST(BendSession, TheOnlyPinTurnsThePartAsAWhole) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kLeg, {{{460, 910}}});
+  hand.apply_all({DeleteLayers{{kBody}}});
+  auto const before = layer_of_hand(hand.document, kLeg).outlines.front().pieces;
+  auto const commands = hand.drag_pin(kLeg, 0, {460, 910}, std::acos(0.0));
+  ASSERT_EQ(commands.size(), 2);
+  auto const pin = std::get<SetBendPins>(commands[1]).pins[0];
+  EXPECT_EQ(pin.position, (Vec2{460, 910}));
+  EXPECT_NEAR(pin.turn_rad.value_or(0), std::acos(0.0), 1e-12);
+  auto const& after = layer_of_hand(hand.document, kLeg).outlines.front().pieces;
+  // About the place of the outline that the pin holds, which is next to it.
+  auto const old_way = before[20].curve.start() - before[0].curve.start();
+  auto const way = after[20].curve.start() - after[0].curve.start();
+  EXPECT_LT(distance(way, perpendicular(old_way)), 1e-9);
+}
+
+TEST(BendSession, ATurnedPinTurnsTheShapeAroundItAndCanBeTurnedBack) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}, {kTopOfBody}});
+  auto const before = hand.document;
+  hand.drag_pin(kBody, 1, kTopOfBody, 0.6);
+  EXPECT_NEAR(layer_of_hand(hand.document, kBody).bend_pins[1].turn_rad.value_or(0), 0.6, 1e-12);
+  EXPECT_GT(contour_distance(layer_of_hand(hand.document, kBody), layer_of_hand(before, kBody)), 3);
+  hand.drag_pin(kBody, 1, kTopOfBody, -0.6);
+  EXPECT_NEAR(layer_of_hand(hand.document, kBody).bend_pins[1].turn_rad.value_or(1), 0, 1e-12);
+  EXPECT_LT(contour_distance(layer_of_hand(hand.document, kBody), layer_of_hand(before, kBody)),
+            0.1);
+}
+
+TEST(BendSession, BeyondTheReachAllStaysAsItLies) {
+  BendHand hand(jointed_document());
+  auto const before = hand.document;
+  hand.drag(body_at(kTopOfBody), kTopOfBody + Vec2{30, -60}, {150.0});
+  auto const& old = layer_of_hand(before, kBody).outlines.front().pieces;
+  auto const& now = layer_of_hand(hand.document, kBody).outlines.front().pieces;
+  ASSERT_EQ(old.size(), now.size());
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    if (old[i].curve.start().y > 420) EXPECT_EQ(old[i], now[i]);
+  }
+  EXPECT_GT(outline_distance(before, hand.document, kBody), 50);
+  EXPECT_TRUE(is_shared(before, hand.document, kLeg));
+}
+
+TEST(BendSession, AnotherReachInTheMidstOfADragGivesWhatItWouldHaveGivenFromTheStart) {
+  BendHand at_once(jointed_document());
+  at_once.drag(body_at(kTopOfBody), {440, 150}, {180.0});
+  BendHand changed(jointed_document());
+  ASSERT_FALSE(changed.session.grab(changed.document, body_at(kTopOfBody), {}, {}));
+  changed.session.drag({440, 150});
+  changed.session.set_reach({180.0});
+  changed.session.finish();
+  changed.apply_all(changed.session.commands());
+  EXPECT_LT(outline_distance(at_once.document, changed.document, kBody), 0.1);
+}
+
+TEST(BendSession, LimbsStayWhereTheirHostHasThem) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  auto const before = hand.document;
+  hand.drag(body_at(kTopOfBody), {580, 260});
+  // The stroke rides inside of the body, and the mouth of the arm with the same mesh: neither leaves the other.
+  auto const arm_before =
+      mouth_of(before, kArm) - find_layer(before, kBody)->strokes[0]->stroke.samples[1].position;
+  auto const arm = mouth_of(hand.document, kArm) -
+                   find_layer(hand.document, kBody)->strokes[0]->stroke.samples[1].position;
+  EXPECT_NEAR(norm(arm), norm(arm_before), 0.15 * norm(arm_before));
+  EXPECT_GT(distance(mouth_of(before, kArm), mouth_of(hand.document, kArm)), 20);
+  // What nothing else holds keeps its shape nearly, over two joints.
+  auto const length_of = [](Document const& document) {
+    auto const& samples = find_layer(document, kHand)->strokes[0]->stroke.samples;
+    return distance(samples.front().position, samples.back().position);
+  };
+  EXPECT_NEAR(length_of(hand.document), length_of(before), 0.01 * length_of(before));
+}
+
+TEST(BendSession, ALimbThatIsDraggedBendsFromItsMouthAndLeavesItsHostAlone) {
+  BendHand hand(jointed_document());
+  auto const before = hand.document;
+  auto const commands = hand.drag({kArm, {}, {}, kTipOfArm}, kTipOfArm + Vec2{-40, 160});
+  ASSERT_EQ(commands.size(), 1);
+  EXPECT_EQ(std::get<Bend>(commands[0]).parts.size(), 2);  // the hand follows
+  EXPECT_TRUE(is_shared(before, hand.document, kBody));
+  EXPECT_TRUE(is_shared(before, hand.document, kLeg));
+  EXPECT_LT(distance(mouth_of(before, kArm), mouth_of(hand.document, kArm)), 0.5);
+  EXPECT_GT(distance(mouth_of(before, kHand), mouth_of(hand.document, kHand)), 100);
+}
+
+TEST(BendSession, ALimbThatIsDraggedAwayFromItsHostStaysInOnePiece) {
+  BendHand hand(jointed_document());
+  hand.drag({kArm, {}, {}, kTipOfArm}, {5000, -3000});
+  for (auto const& piece : layer_of_hand(hand.document, kArm).outlines.front().pieces) {
+    for (auto const p : piece.curve.control) EXPECT_TRUE(is_finite(p));
+  }
+}
+
+TEST(BendSession, LockedPartsStayAndHiddenOnesFollow) {
+  auto document = jointed_document();
+  document = with_changed(document, kArm, [](Layer& layer) { layer.is_locked = true; });
+  document = with_changed(document, kLeg, [](Layer& layer) { layer.is_hidden = true; });
+  BendHand hand(document);
+  hand.drag(body_at(kTopOfBody), {500, 190});
+  EXPECT_TRUE(is_shared(document, hand.document, kArm));
+  EXPECT_TRUE(is_shared(document, hand.document, kHand));
+  EXPECT_NEAR(mouth_of(hand.document, kLeg).x - mouth_of(document, kLeg).x, 100, 1e-9);
+  EXPECT_TRUE(hand.session.grab(document, {kArm, {}, {}, kTipOfArm}, {}, {}).has_value());
+  EXPECT_TRUE(hand.session.grab(document, {kLeg, {}, {}, {460, 910}}, {}, {}).has_value());
+  EXPECT_FALSE(hand.session.is_holding());
+}
+
+TEST(BendSession, AGestureThatGoesNowhereIsNoCommand) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  EXPECT_TRUE(hand.drag(body_at(kTopOfBody), kTopOfBody).empty());
+  ASSERT_FALSE(hand.session.grab(hand.document, body_at(kTopOfBody), {}, {}));
+  hand.session.drag({600, 300});
+  hand.session.drag(kTopOfBody);
+  hand.session.finish();
+  EXPECT_TRUE(hand.session.commands().empty());
+}
+
+TEST(BendSession, APinAddedAndRemovedIsNothing) {
+  BendHand plain(jointed_document());
+  plain.set_pins(kBody, {{kBottomOfBody}});
+  BendHand pinned(plain.document);
+  for (auto* const hand : {&plain, &pinned}) hand->drag(body_at(kTopOfBody), {520, 220});
+  pinned.set_pins(kBody, {{kBottomOfBody}, {{300, 246}}});
+  pinned.set_pins(kBody, {{kBottomOfBody}});
+  for (auto* const hand : {&plain, &pinned}) hand->drag(body_at({520, 220}), {430, 260});
+  EXPECT_EQ(outline_distance(plain.document, pinned.document, kBody), 0);
+  for (auto* const hand : {&plain, &pinned}) hand->drag(body_at({430, 260}), kTopOfBody);
+  EXPECT_LT(outline_distance(jointed_document(), pinned.document, kBody), 0.1);
+}
+
+TEST(BendSession, AfterUndoADragGoesOnFromTheSameRest) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  auto const first = hand.document;
+  hand.drag(body_at(kTopOfBody), {520, 220});
+  auto const second = hand.document;
+  hand.drag(body_at({520, 220}), {600, 300});
+  hand.document = second;  // undo
+  hand.drag(body_at({520, 220}), kTopOfBody);
+  EXPECT_EQ(outline_distance(first, hand.document, kBody), 0);
+  hand.document = second;  // undo and redo
+  hand.drag(body_at({520, 220}), {300, 220});
+  hand.document = first;
+  auto const commands = hand.drag(body_at(kTopOfBody), {520, 220});
+  EXPECT_EQ(outline_distance(second, hand.document, kBody), 0);
+}
+
+TEST(BendSession, OnceForgottenTheBentShapeIsTheRest) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  auto const first = hand.document;
+  hand.drag(body_at(kTopOfBody), {560, 260});
+  hand.session.forget();
+  hand.drag(body_at({560, 260}), kTopOfBody);
+  EXPECT_GT(contour_distance(layer_of_hand(hand.document, kBody), layer_of_hand(first, kBody)), 1);
+}
+
+TEST(BendSession, AChangedLayerBeginsANewRest) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  hand.drag(body_at(kTopOfBody), {520, 220});
+  hand.apply_all({TransformLayers{{kBody}, Affine::scaling(0.5, 0.5)}});
+  auto const scaled = hand.document;
+  hand.drag(body_at({260, 110}), {300, 130});
+  hand.drag(body_at({300, 130}), {260, 110});
+  EXPECT_LT(contour_distance(layer_of_hand(hand.document, kBody), layer_of_hand(scaled, kBody)),
+            0.1);
+}
+
+TEST(BendSession, ARoughStrokeMovesAsAWholeAndBendsWithinAReach) {
+  auto const document =
+      with_loose(jointed_document(), line_stroke({{100, 900}, {300, 900}, {500, 900}, {900, 900}}));
+  BendHand hand(document);
+  BendGrab const end = {LayerId::None, StrokeRef{LayerId::None, 0}, {}, {900, 900}};
+  auto const commands = hand.drag(end, {930, 940});
+  ASSERT_EQ(commands.size(), 1);
+  EXPECT_EQ(std::get<Bend>(commands[0]).lines.size(), 1);
+  auto const& moved = hand.document.loose[0]->stroke.samples;
+  EXPECT_LT(distance(moved.front().position, {130, 940}), 1e-9);
+  BendHand bent(document);
+  bent.drag(end, {880, 960}, {300.0});
+  auto const& samples = bent.document.loose[0]->stroke.samples;
+  EXPECT_EQ(samples[0].position, (Vec2{100, 900}));
+  EXPECT_EQ(samples[1].position, (Vec2{300, 900}));
+  EXPECT_LT(distance(samples.back().position, {880, 960}), 1);
+}
+
+TEST(BendSession, ADragComesToRest) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  ASSERT_FALSE(hand.session.grab(hand.document, body_at(kTopOfBody), {}, {}));
+  hand.session.drag({700, 300});
+  EXPECT_FALSE(hand.session.is_settled());
+  for (int i = 0; i < 100 && !hand.session.is_settled(); ++i) hand.session.settle();
+  EXPECT_TRUE(hand.session.is_settled());
+  auto const settled = hand.session.commands();
+  hand.session.finish();
+  hand.apply_all(settled);
+  auto const document = hand.document;
+  hand.document = jointed_document();
+  hand.apply_all(hand.session.commands());
+  EXPECT_EQ(outline_distance(document, hand.document, kBody), 0);
+}
+
+TEST(BendSession, AnySequenceOfCallsIsSafe) {
+  double const nan = std::numeric_limits<double>::quiet_NaN();
+  auto const document = jointed_document();
+  BendSession session;
+  session.drag({5, 5});
+  session.settle();
+  session.finish();
+  session.set_reach({10.0});
+  session.release(&document);
+  session.forget();
+  EXPECT_TRUE(session.commands().empty());
+  EXPECT_TRUE(session.is_settled());
+  EXPECT_TRUE(session.grab(document, {}, {}, {}).has_value());
+  EXPECT_TRUE(session.grab(document, {LayerId{99}, {}, {}, {}}, {}, {}).has_value());
+  EXPECT_TRUE(session.grab(document, {kBody, {}, 0, {}}, {}, {}).has_value());
+  EXPECT_TRUE(session.grab(document, body_at({nan, 0}), {}, {}).has_value());
+  EXPECT_TRUE(session.grab(document, body_at(kTopOfBody), {-1.0}, {}).has_value());
+  EXPECT_TRUE(session.grab(document, {LayerId::None, StrokeRef{kBody, 7}, {}, {}}, {}, {}));
+  ASSERT_FALSE(session.grab(document, body_at(kTopOfBody), {}, {}).has_value());
+  ASSERT_FALSE(session.grab(document, {kArm, {}, {}, kTipOfArm}, {}, {}).has_value());
+  session.drag({nan, 3});
+  session.drag({3, 3}, nan);
+  session.drag({800, 500});
+  session.release(&document);  // it did not come of these commands
+  auto const other = with_disc(empty_document(), {300, 300}, 100);
+  ASSERT_FALSE(session.grab(other, body_at({400, 300}), {50.0}, {}).has_value());
+  session.drag({430, 300});
+  session.set_reach({});
+  EXPECT_FALSE(session.commands().empty());
+  session.release(nullptr);
+  ASSERT_FALSE(session.grab(document, body_at(kTopOfBody), {}, {}).has_value());
+  session.forget();
+  EXPECT_FALSE(session.is_holding());
+}
+
+TEST(BendSession, OtherStiffnessKeepsTheRestAndTheWireBeginsAnother) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  auto const first = hand.document;
+  hand.drag(body_at(kTopOfBody), {520, 220});
+  hand.options.body = 0.05;
+  hand.drag(body_at({520, 220}), kTopOfBody);
+  EXPECT_EQ(outline_distance(first, hand.document, kBody), 0);
+  hand.options.mode = BendMode::Wire;
+  hand.drag(body_at(kTopOfBody), {520, 220});
+  EXPECT_GT(contour_distance(layer_of_hand(hand.document, kBody), layer_of_hand(first, kBody)), 20);
+}
+
+}  // namespace
+}  // namespace inkflate
