@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 
 #include "base/check.h"
 #include "deform/bender.h"
@@ -132,10 +133,7 @@ BendMesh strip(benchmark::State const& state) {
 
 /// As the tool does it: with a mesh of its own, and from pose to outline.
 void measure_bender(benchmark::State& state, BendMode mode) {
-  auto const contour = figure_contour(static_cast<int>(state.range(0)));
-  Outline outline;
-  for (std::size_t i = 0; i < contour.size(); ++i)
-    outline.pieces.push_back({line_cubic(contour[i], contour[(i + 1) % contour.size()])});
+  auto const outline = figure_outline(static_cast<int>(state.range(0)));
   double const start = cpu_ms();
   auto bender = Bender::make({{outline}, {}}, {mode});
   CHECK(bender.has_value(), "a figure that can be bent");

@@ -74,6 +74,14 @@ Contour figure_contour(int points) {
   return contour;
 }
 
+Outline figure_outline(int points) {
+  auto const contour = figure_contour(points);
+  Outline outline;
+  for (std::size_t i = 0; i < contour.size(); ++i)
+    outline.pieces.push_back({line_cubic(contour[i], contour[(i + 1) % contour.size()])});
+  return outline;
+}
+
 std::vector<BendHandle> figure_handles(BendMesh const& mesh, double share) {
   std::vector<BendHandle> handles;
   for (auto const place : kPins) handles.push_back(at_rest(mesh, place));

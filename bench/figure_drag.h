@@ -6,11 +6,15 @@
 
 #include "deform/bend_mesh.h"
 #include "geometry/polyline.h"
+#include "model/drawing.h"
 
 namespace inkflate {
 
 /// The contour of tests/support's figure (head, arms, legs; 3600 px around) by so many points.
 Contour figure_contour(int points);
+
+/// The same, straight from point to point.
+Outline figure_outline(int points);
 
 /// What holds a mesh of the figure when this share of the drag is done: a foot and a hip are pinned, the tip of an arm is dragged by 155 px up
 /// and towards the head. All at vertices; the dragged one last.
