@@ -2,7 +2,7 @@
 #include "deform/body_mesh.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 #include "mesh/mesh_region.h"
 #include "mesh/rim_spacing.h"
@@ -18,8 +18,11 @@ constexpr double kFinePoints = 2;
 // Where a shape is thin, so many edges are as long as it is wide; edges become no shorter than this share of the longest.
 constexpr double kShareOfWidth = 0.5;
 constexpr double kShortestShare = 0.25;
-// Inside, in edges of the rim.
+// Inside, in edges of the rim. In wide shapes longer: so that there are about so many vertices inside; each stands for this share of
+// the square of an edge.
 constexpr double kLongestInside = 2;
+constexpr double kVerticesInside = 1000;
+constexpr double kAreaOfVertex = 0.87;
 // Where chords cross although the curves do not, half as far apart is tried, so many times.
 constexpr int kRefinements = 2;
 
@@ -90,7 +93,9 @@ std::optional<ShapeMesh> fill(std::span<LineSamples const> rims, double edge_px,
   auto areas = areas_among(rims);
   if (areas.empty() || areas.front() != 0) return {};
   MeshRegionOptions options;
-  options.longest_px = kLongestInside * edge_px;
+  double const area = std::abs(signed_area(rims.front().points));
+  options.longest_px =
+      std::max(kLongestInside * edge_px, std::sqrt(area / (kVerticesInside * kAreaOfVertex)));
   for (;;) {
     Region region;
     for (int const i : areas) region.contours.push_back(rims[i].points);
