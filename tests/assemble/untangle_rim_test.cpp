@@ -37,7 +37,7 @@ Contour wandering_band(Rng& rng) {
   double angle_rad = 0;
   double bend_rad = 0;
   for (int i = 0; i < 120; ++i) {
-    bend_rad = 0.9 * bend_rad + rng.uniform(-0.08, 0.08);
+    bend_rad = 0.9 * bend_rad + rng.uniform(-0.12, 0.12);
     angle_rad += bend_rad;
     auto const along = sin_cos(angle_rad);
     place += Vec2{along.cos, along.sin} * 12;
@@ -152,7 +152,7 @@ TEST(UntangleRim, OfPiecesThatAreApartTheLargestIsKept) {
 TEST(UntangleRim, BandsThatWanderOverThemselvesBecomeClosedSurfaces) {
   Rng rng(1);
   int tangled = 0;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 20; ++i) {
     auto const layer = drawn_layer("band", wandering_band(rng));
     tangled += is_simple(flatten(layer.outlines[0], 0.1)) ? 0 : 1;
     EXPECT_TRUE(is_simple_rim(layer_rim(layer, kStepPx)));
