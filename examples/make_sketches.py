@@ -15,7 +15,7 @@ from pathlib import Path
 
 from sketching.sheet import Sheet
 from sketching.svg import document
-from subjects import birds, fantasy, insects, kitchen, mammals, pets, reptiles, sea, shapes
+from subjects import birds, fantasy, figures, insects, kitchen, mammals, pets, reptiles, sea, shapes
 
 TOP = Path(__file__).resolve().parent
 
@@ -32,6 +32,10 @@ SKETCHES = {
     "seahorse": sea.seahorse,
     "crab": sea.crab,
     "octopus": sea.octopus,
+    "giraffe": figures.giraffe,
+    "monster": figures.monster,
+    "letter_s": figures.letter_s,
+    "person": figures.person,
 }
 
 CHARACTERS = {

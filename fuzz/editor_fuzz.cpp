@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/check.h"
@@ -20,13 +21,14 @@ namespace {
 constexpr int kMostEvents = 48;
 constexpr int kMostPresses = 8;  // each may be a stroke, and strokes are what takes time
 
-constexpr std::array<char const*, 24> kKeys = {"b", "l",     "e",        "v",      "o",       "h",
-                                               "m", "Enter", "Escape",   "Delete", "PageUp",  "End",
-                                               "z", "y",     "PageDown", "Insert", "ArrowUp", "H",
-                                               "V", " ",     "1",        "2",      "a",       "d"};
+constexpr std::array<char const*, 33> kKeys = {
+    "b", "l", "e",        "v",      "o",   "h", "m", "Enter", "Escape", "Delete",  "PageUp",
+    "z", "y", "PageDown", "Insert", "End", "H", "V", " ",     "1",      "2",       "a",
+    "d", "d", "D",        "n",      "N",   ",", ".", "[",     "]",      "ArrowUp", "ArrowLeft"};
 
-constexpr std::array<char const*, 12> kArguments = {
-    "", "0", "-1", "3", "1e300", "nan", "#ff8040", "100,200", "inf,0", "on", "cs", "\xff\xfe"};
+constexpr std::array<char const*, 16> kArguments = {
+    "",      "0",  "-1", "3",     "1e300", "nan", "#ff8040", "100,200",
+    "inf,0", "on", "cs", "whole", "wire",  "0.1", "auto",    "\xff\xfe"};
 
 constexpr char const* kSketch =
     R"(<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200" fill="none" stroke="black">
@@ -141,6 +143,15 @@ class EventSource {
   double time_s_ = 0;
 };
 
+/// A part that can be bent, and the tool for it.
+void begin_bending(Engine& engine) {
+  std::string_view const text = kSketch;
+  auto const content = std::as_bytes(std::span(text.data(), text.size()));
+  engine.handle(FileEvent{{content.begin(), content.end()}, "fuzz.svg", FileUse::Open});
+  engine.handle(ActionEvent{"simplify"});
+  engine.handle(ActionEvent{"deform"});
+}
+
 std::uint64_t hash_of(Engine const& engine) {
   return document_hash(to_project(engine.history().document()));
 }
@@ -196,6 +207,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   Bytes bytes(data, size);
   EventSource source(bytes);
   Engine engine;
+  if (bytes.below(2) == 0) begin_bending(engine);
   for (int i = 0; i < kMostEvents && !bytes.is_empty(); ++i) {
     engine.handle(source.next());
     if (bytes.below(4) == 0 && engine.has_work()) engine.work();

@@ -32,16 +32,14 @@ double HostArea::clearance(Vec2 p) const {
   double const to_box =
       std::max({box_.min.x - p.x, p.x - box_.max.x, box_.min.y - p.y, p.y - box_.max.y});
   if (to_box > 0) return -to_box;
-  bool is_inside = false;
   double least = std::numeric_limits<double>::infinity();
   for (auto const& contour : contours_) {
-    if (contains(contour, p)) is_inside = !is_inside;
     for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
       least = std::min(least, squared_distance_to_segment(p, contour[j], contour[i]));
     }
   }
   double const distance_px = std::sqrt(least);
-  return is_inside ? distance_px : -distance_px;
+  return contains(contours_, p) ? distance_px : -distance_px;
 }
 
 double HostArea::least_clearance(Polyline const& points, double enough) const {

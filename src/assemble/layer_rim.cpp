@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "assemble/untangle_rim.h"
+
 namespace inkflate {
 namespace {
 
@@ -126,7 +128,7 @@ LayerRim layer_rim(Layer const& layer, double step_px) {
     // Without any ink there is no rim that the sheets could share.
     if (rim.runs.size() == 1) rim.runs[0].opening = Opening::None;
   }
-  return rim;
+  return untangled(std::move(rim), step_px);
 }
 
 Contour outer_contour(LayerRim const& rim) {

@@ -29,7 +29,7 @@ struct LayerRim {
 };
 
 /// The outlines of a layer, sampled every step_px or finer. Neighbouring drawn runs are one. Help lines in holes count as drawn: nothing
-/// can join a layer from within.
+/// can join a layer from within. Outlines that cross themselves or one another are untangled (untangle_rim.h).
 LayerRim layer_rim(Layer const& layer, double step_px);
 
 /// The outer outline as one polygon.

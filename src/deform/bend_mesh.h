@@ -32,6 +32,8 @@ using BendPose = std::vector<Vec2>;
 struct BendAnchor {
   int triangle = 0;
   std::array<double, 3> weights = {1, 0, 0};
+
+  friend bool operator==(BendAnchor const&, BendAnchor const&) = default;
 };
 
 Vec2 place_of(FlatMesh const& mesh, std::span<Vec2 const> pose, BendAnchor const& anchor);
@@ -42,6 +44,8 @@ struct BendHandle {
   Vec2 target;  // canvas px
   std::optional<double> turn_rad =
       {};  // the shape around it is turned by this from its rest; none: as it likes. Screen-wise: x to y
+  double grip_px =
+      0;  // >= 0; mode Body: so far around it the shape is stiffer, as if a fingertip held it and not a needle
 };
 
 /// What holds a shape while it is bent.

@@ -31,7 +31,7 @@ class BodySolver {
   BendProgress step(BendPose& pose, BendHold const& hold, int steps);
 
   /// The energy of a pose, with the handles' share; infinite where a triangle is turned over.
-  double energy(std::span<Vec2 const> pose, BendHold const& hold) const;
+  double energy(std::span<Vec2 const> pose, BendHold const& hold);
 
  private:
   struct Inside;

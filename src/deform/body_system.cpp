@@ -26,6 +26,7 @@ std::vector<std::array<int, 2>> edges_of(FlatMesh const& mesh) {
 
 BodySystem::BodySystem(BendMesh const& mesh)
     : mesh_(&mesh),
+      grips_(mesh),
       hessian_(static_cast<int>(mesh.rest.points.size()), edges_of(mesh.rest)),
       gradient_(mesh.rest.points.size()),
       solution_(2 * mesh.rest.points.size()) {
@@ -37,6 +38,7 @@ BodySystem::BodySystem(BendMesh const& mesh)
   for (int t = 0; t < static_cast<int>(mesh.rest.triangles.size()); ++t) {
     auto const& corners = mesh.rest.triangles[t];
     rest_.push_back(rest_triangle(places(t, mesh.rest.points), mesh.stiffness[t]));
+    weights_.push_back(rest_.back().weight);
     auto& slots = slots_.emplace_back();
     for (int i = 0; i < 3; ++i) {
       int const j = (i + 1) % 3;
@@ -48,6 +50,13 @@ BodySystem::BodySystem(BendMesh const& mesh)
     }
   }
   damping_ = kDamping * *std::max_element(mesh.stiffness.begin(), mesh.stiffness.end());
+}
+
+void BodySystem::grip(std::span<BendHandle const> handles) {
+  if (!grips_.update(handles)) return;
+  for (std::size_t t = 0; t < rest_.size(); ++t) {
+    rest_[t].weight = weights_[t] * grips_.factors()[t];
+  }
 }
 
 std::array<Vec2, 3> BodySystem::places(int triangle, std::span<Vec2 const> pose) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "deform/bend_mesh.h"
+#include "deform/grip.h"
 #include "deform/soft_handles.h"
 #include "deform/symmetric_dirichlet.h"
 #include "solvers/block_cholesky.h"
@@ -17,6 +18,9 @@ class BodySystem {
  public:
   /// mesh: has to outlive this
   explicit BodySystem(BendMesh const& mesh);
+
+  /// Makes the shape stiffer around the handles that have a grip.
+  void grip(std::span<BendHandle const> handles);
 
   /// Infinite where a triangle is turned over.
   double energy(std::span<Vec2 const> pose, std::span<Pull const> pulls) const;
@@ -51,6 +55,8 @@ class BodySystem {
 
   BendMesh const* mesh_;
   std::vector<RestTriangle> rest_;
+  Grips grips_;
+  std::vector<double> weights_;  // of the triangles without a grip
   BlockCholesky hessian_;
   std::vector<Slots> slots_;
   std::vector<int> diagonal_;  // per vertex

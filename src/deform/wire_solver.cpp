@@ -60,7 +60,7 @@ WireSystem& WireSolver::Inside::system(std::span<char const> is_fixed) {
 std::vector<WireConstraint> WireSolver::Inside::constraints(
     std::span<BendHandle const> handles) const {
   std::vector<WireConstraint> result;
-  for (auto const& [anchor, target, turn_rad] : handles) {
+  for (auto const& [anchor, target, turn_rad, grip_px] : handles) {
     auto const& corners = mesh.rest.triangles[anchor.triangle];
     if (!turn_rad) {
       result.push_back({corners, anchor.weights, target});
@@ -132,17 +132,18 @@ BendProgress WireSolver::step(BendPose& pose, BendHold const& hold, int steps) {
   auto& system = inside_->system(hold.is_fixed);
   system.hold(inside_->constraints(hold.handles));
   BendProgress progress;
+  std::vector<Vec2> moves(pose.size());
   for (int i = 0; i < steps && !progress.is_settled; ++i) {
-    auto moves = inside_->residuals(pose);
+    moves = inside_->residuals(pose);
     system.solve(moves, pose);
     progress.largest_move_px = 0;
     for (std::size_t v = 0; v < pose.size(); ++v) {
       pose[v] += moves[v];
       progress.largest_move_px = std::max(progress.largest_move_px, norm(moves[v]));
     }
-    progress.decrement = inside_->gain(moves);
     progress.is_settled = progress.largest_move_px <= kSettledPx;
   }
+  progress.decrement = inside_->gain(moves);
   progress.energy = energy(pose);
   return progress;
 }

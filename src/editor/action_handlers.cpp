@@ -37,6 +37,10 @@ void run_action(EditorTurn& turn, std::string_view action, std::string const& ar
 
 bool always(EditorState const& /*state*/) { return true; }
 bool has_selection(EditorState const& state) { return !state.view.selection.empty(); }
+bool has_pin(EditorState const& state) { return state.view.pin.has_value(); }
+bool has_pin_or_selection(EditorState const& state) {
+  return has_pin(state) || has_selection(state);
+}
 
 std::optional<double> number_of(std::string_view argument) {
   auto rest = trimmed(argument);

@@ -33,6 +33,8 @@ void run_action(EditorTurn& turn, std::string_view action, std::string const& ar
 /// Rules for is_enabled that more than one part has.
 bool always(EditorState const& state);
 bool has_selection(EditorState const& state);
+bool has_pin(EditorState const& state);
+bool has_pin_or_selection(EditorState const& state);
 
 /// The argument as a number; nothing when it is none.
 std::optional<double> number_of(std::string_view argument);

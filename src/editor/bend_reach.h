@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "document/document.h"
+#include "editor/view.h"
+#include "pipeline/bend_session.h"
+
 namespace inkflate {
 
 /// How far a drag reaches where nothing holds a part, as a share of the longer side of its box: a hand bends a limb or a cheek, and the
 /// rest stays.
 inline constexpr double kUsualBendReach = 0.3;
+
+/// How far a drag reaches as a share of what it holds, 0.02 .. 1; 1: all of it. As the person has set it; else all of a part that pins or
+/// joints hold, and a share of any other and of a line.
+double bend_share(Document const& document, BendGrab const& what, ToolSettings const& settings);
+
+/// The share in px of the canvas.
+BendReach bend_reach(Document const& document, BendGrab const& what, double share);
 
 }  // namespace inkflate

@@ -27,7 +27,22 @@ void redo(EditorTurn& turn) {
   say(turn, Severity::Status, Word::Redone, {std::string(action_name(label))});
 }
 
+/// What is deleted is the selected pin; the one before it is next.
+void delete_pin(EditorTurn& turn, BendPinRef const& pin) {
+  auto& view = turn.state.view;
+  auto pins = find_layer(turn.state.history.document(), pin.layer)->layer.bend_pins;
+  pins.erase(pins.begin() + pin.index);
+  bool const is_last = pins.empty();
+  if (!commit(turn, std::vector<Command>{SetBendPins{pin.layer, std::move(pins)}}, "delete")) {
+    return;
+  }
+  // With the last one nothing is selected: who goes on pressing the key would delete the part.
+  if (is_last) return set_selection(turn, {});
+  view.pin = BendPinRef{pin.layer, std::max(pin.index - 1, 0)};
+}
+
 void delete_selected(EditorTurn& turn) {
+  if (auto const pin = turn.state.view.pin) return delete_pin(turn, *pin);
   auto const& selection = turn.state.view.selection;
   if (selection.empty()) return say(turn, Severity::Warning, Word::NothingSelected);
   commit(turn, std::vector<Command>{DeleteLayers{selection}}, "delete");
@@ -89,10 +104,12 @@ void select(EditorTurn& turn) {
   set_selection(turn, std::move(selection));
 }
 
-/// A gesture is dropped by the engine before any action; then goes the selection, then the tool.
+/// A gesture is dropped by the engine before any action; then goes the pin, the selection, the tool.
 void cancel(EditorTurn& turn) {
   auto& view = turn.state.view;
-  if (!view.selection.empty()) {
+  if (view.pin) {
+    view.pin.reset();
+  } else if (!view.selection.empty()) {
     view.selection.clear();
   } else {
     view.tool = Tool::Brush;
@@ -108,7 +125,7 @@ bool has_one_selected(EditorState const& state) { return state.view.selection.si
 constexpr std::array kHandlers = {
     ActionHandler{"undo", undo, can_undo},
     ActionHandler{"redo", redo, can_redo},
-    ActionHandler{"delete", delete_selected, has_selection},
+    ActionHandler{"delete", delete_selected, has_pin_or_selection},
     ActionHandler{"duplicate", duplicate_selected, has_selection},
     ActionHandler{"duplicate_behind",
                   [](EditorTurn& turn) { duplicate_at(turn, OrderEnd::Back, "duplicate_behind"); },

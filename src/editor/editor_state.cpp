@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "document/apply.h"
+#include "editor/bend_gesture.h"
 #include "editor/pins.h"
 
 namespace inkflate {
@@ -138,6 +139,7 @@ void drop_gesture(EditorTurn& turn) {
   auto& state = turn.state;
   bool const had_changes = state.gesture && !state.gesture->commands.empty();
   state.gesture.reset();
+  drop_bend(state);
   state.tool = ToolIdle{};
   turn.changes.is_scene_changed = true;
   if (had_changes) follow_document(turn);

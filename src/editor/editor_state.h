@@ -14,6 +14,7 @@
 #include "editor/route_pointer.h"
 #include "editor/tool.h"
 #include "editor/view.h"
+#include "pipeline/bend_session.h"
 #include "pipeline/close_document.h"
 #include "pipeline/shape_previewer.h"
 
@@ -38,6 +39,8 @@ struct EditorState {
   std::optional<Gesture> gesture;  // under way
   std::optional<Slider> slider;
   ToolState tool;
+  BendSession bend;                      // rest poses, and the drag of the Deform tool
+  std::optional<ToolBending> bend_hand;  // where it is, as long as the session has not followed it
   PointerState pointers;
   View view;
   KeyMap keys;

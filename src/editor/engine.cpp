@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editor/action_handlers.h"
+#include "editor/bend_gesture.h"
 #include "editor/editor_state.h"
 #include "editor/layer_looks.h"
 #include "editor/run_tool.h"
@@ -25,6 +26,8 @@ void take_routed(EditorTurn& turn, Routed const& routed) {
     state.view.model = to_model->model;
   } else if (auto const* const to_action = std::get_if<ToAction>(&routed)) {
     return run_action(turn, to_action->name, "");
+  } else if (auto const* const to_reach = std::get_if<ToBendReach>(&routed)) {
+    return change_bend_reach(turn, to_reach->factor);
   }
   changes.is_scene_changed = true;
 }
@@ -57,7 +60,9 @@ void take(EditorTurn& turn, GestureEvent const& event) {
 }
 
 void take(EditorTurn& turn, ActionEvent const& event) {
-  bool const was_in_gesture = is_in_gesture(turn.state);
+  bool const goes_on = turn.state.bend.is_holding() &&
+                       (event.name == "brush_larger" || event.name == "brush_smaller");
+  bool const was_in_gesture = !goes_on && is_in_gesture(turn.state);
   if (was_in_gesture) stop_hand(turn);
   // Esc and undo in the middle of a gesture take back just that.
   if (was_in_gesture && (event.name == "cancel" || event.name == "undo")) return;
@@ -105,6 +110,16 @@ void follow_mode(EditorTurn& turn, Mode before) {
   if (turn.state.view.mode != before) stop_hand(turn);
 }
 
+bool is_deforming(View const& view) { return view.mode == Mode::Draw && view.tool == Tool::Deform; }
+
+/// Rest poses and the selected pin are kept until the tool is left.
+void follow_tool(EditorTurn& turn) {
+  auto& state = turn.state;
+  if (is_deforming(state.view)) return;
+  state.bend.forget();
+  state.view.pin.reset();
+}
+
 bool is_model_wanted(EditorState const& state) {
   return state.view.mode != Mode::Draw && !state.model.is_current(state.history.document());
 }
@@ -141,14 +156,16 @@ Changes Engine::handle(Event const& event) {
   Changes changes;
   EditorTurn turn = {inside_->state, changes, inside_->progress};
   auto const mode = turn.state.view.mode;
+  bool const was_deforming = is_deforming(turn.state.view);
   std::visit([&](auto const& each) { take(turn, each); }, event);
   follow_mode(turn, mode);
+  if (was_deforming) follow_tool(turn);
   return changes;
 }
 
 bool Engine::has_work() const {
   auto const& state = inside_->state;
-  return state.is_preview_stale || is_model_wanted(state);
+  return is_bend_waiting(state) || state.is_preview_stale || is_model_wanted(state);
 }
 
 Changes Engine::work() {
@@ -156,7 +173,10 @@ Changes Engine::work() {
   auto& state = inside_->state;
   EditorTurn turn = {state, changes, inside_->progress};
   auto const mode = state.view.mode;
-  if (is_model_wanted(state)) {
+  // The hand first.
+  if (is_bend_waiting(state)) {
+    go_on_bending(turn);
+  } else if (is_model_wanted(state)) {
     make_model(turn);
     follow_mode(turn, mode);
   } else if (state.is_preview_stale) {
@@ -179,6 +199,7 @@ Changes Engine::recover(std::span<std::byte const> journal) {
   stop_hand(turn);
   state.journal.resume(*read);
   state.slider.reset();
+  state.bend.forget();
   state.history = std::move(read->history);
   state.saved = empty_document();
   state.view.selection.clear();

@@ -32,6 +32,7 @@ void begin_new(EditorTurn& turn) {
     return;
   }
   state.saved = state.history.document();
+  state.bend.forget();
   state.file_name = "drawing";
   state.view.mode = Mode::Draw;
   fit_paper(turn);
@@ -114,6 +115,7 @@ void open_document(EditorTurn& turn, Document document, std::string const& name)
   auto& state = turn.state;
   if (!commit(turn, std::vector<Command>{Replace{std::move(document)}}, "open")) return;
   state.saved = state.history.document();
+  state.bend.forget();
   state.file_name = stem_of(name);
   state.view.mode = Mode::Draw;
   state.view.selection.clear();

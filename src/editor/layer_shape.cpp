@@ -77,10 +77,7 @@ Rect loose_box(Layer const& layer) {
 }
 
 bool contains(LayerShape const& shape, Vec2 p) {
-  if (!contains(shape.box, p)) return false;
-  bool is_inside = false;
-  for (auto const& contour : shape.contours) is_inside ^= contains(contour, p);
-  return is_inside;
+  return contains(shape.box, p) && contains(shape.contours, p);
 }
 
 bool is_rim_near(LayerShape const& shape, Vec2 p, double reach_px) {

@@ -9,7 +9,7 @@
 
 namespace inkflate {
 
-/// The area of a layer as polygons: what lies inside of an odd number of them.
+/// The area of a layer as polygons: where they wind around at all (non-zero).
 struct LayerShape {
   std::vector<Contour> contours;  // canvas px
   Rect box;

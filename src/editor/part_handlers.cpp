@@ -4,6 +4,7 @@
 
 #include "document/apply.h"
 #include "editor/action_handlers.h"
+#include "editor/bend_gesture.h"
 #include "editor/layer_commands.h"
 #include "io/svg_colour.h"
 
@@ -116,6 +117,7 @@ void flip_selected(EditorTurn& turn) {
 
 template <int kRightPx, int kDownPx>
 void nudge_selected(EditorTurn& turn) {
+  if (has_pin(turn.state)) return bend_by_pin(turn, Vec2{kRightPx, kDownPx}, {});
   if (!is_something_selected(turn)) return;
   commit_if(
       turn,
@@ -136,14 +138,14 @@ constexpr std::array kHandlers = {
     ActionHandler{"depth_front", step<DepthStep::ToFront>, has_selection},
     ActionHandler{"flip_horizontal", flip_selected<FlipAxis::Horizontal>, has_selection},
     ActionHandler{"flip_vertical", flip_selected<FlipAxis::Vertical>, has_selection},
-    ActionHandler{"nudge_left", nudge_selected<-1, 0>, has_selection},
-    ActionHandler{"nudge_right", nudge_selected<1, 0>, has_selection},
-    ActionHandler{"nudge_up", nudge_selected<0, -1>, has_selection},
-    ActionHandler{"nudge_down", nudge_selected<0, 1>, has_selection},
-    ActionHandler{"nudge_far_left", nudge_selected<-kFarNudgePx, 0>, has_selection},
-    ActionHandler{"nudge_far_right", nudge_selected<kFarNudgePx, 0>, has_selection},
-    ActionHandler{"nudge_far_up", nudge_selected<0, -kFarNudgePx>, has_selection},
-    ActionHandler{"nudge_far_down", nudge_selected<0, kFarNudgePx>, has_selection},
+    ActionHandler{"nudge_left", nudge_selected<-1, 0>, has_pin_or_selection},
+    ActionHandler{"nudge_right", nudge_selected<1, 0>, has_pin_or_selection},
+    ActionHandler{"nudge_up", nudge_selected<0, -1>, has_pin_or_selection},
+    ActionHandler{"nudge_down", nudge_selected<0, 1>, has_pin_or_selection},
+    ActionHandler{"nudge_far_left", nudge_selected<-kFarNudgePx, 0>, has_pin_or_selection},
+    ActionHandler{"nudge_far_right", nudge_selected<kFarNudgePx, 0>, has_pin_or_selection},
+    ActionHandler{"nudge_far_up", nudge_selected<0, -kFarNudgePx>, has_pin_or_selection},
+    ActionHandler{"nudge_far_down", nudge_selected<0, kFarNudgePx>, has_pin_or_selection},
 };
 
 }  // namespace

@@ -5,11 +5,15 @@
 #include <utility>
 
 #include "editor/action_handlers.h"
+#include "editor/bend_gesture.h"
 #include "editor/pick.h"
 #include "editor/pins.h"
+#include "geometry/trig.h"
 
 namespace inkflate {
 namespace {
+
+constexpr double kTurnStepRad = kPi / 12;
 
 Document const& document_of(EditorState const& state) { return state.history.document(); }
 
@@ -60,6 +64,11 @@ void add_pin(EditorTurn& turn) {
   if (set_pins(turn, id, std::move(pins), "add_pin")) select_pin(turn, BendPinRef{id, index});
 }
 
+void turn_pin(EditorTurn& turn, double turn_rad) {
+  if (!turn.state.view.pin) return say(turn, Severity::Warning, Word::NoPin);
+  bend_by_pin(turn, {}, turn_rad);
+}
+
 void free_pin(EditorTurn& turn) {
   auto const pin = turn.state.view.pin;
   if (!pin) return say(turn, Severity::Warning, Word::NoPin);
@@ -91,6 +100,10 @@ constexpr std::array kHandlers = {
     ActionHandler{"add_pin", add_pin, can_take_pin},
     ActionHandler{"next_pin", [](EditorTurn& turn) { go_to_pin(turn, 1); }, are_pins_there},
     ActionHandler{"previous_pin", [](EditorTurn& turn) { go_to_pin(turn, -1); }, are_pins_there},
+    ActionHandler{"turn_pin_left", [](EditorTurn& turn) { turn_pin(turn, -kTurnStepRad); },
+                  has_pin},
+    ActionHandler{"turn_pin_right", [](EditorTurn& turn) { turn_pin(turn, kTurnStepRad); },
+                  has_pin},
     ActionHandler{"free_pin", free_pin, has_frozen_pin},
     ActionHandler{"delete_pins", delete_pins, has_pins},
 };

@@ -10,17 +10,6 @@
 namespace inkflate {
 namespace {
 
-std::vector<BendPinRef> pins_of(Document const& document, View const& view, bool is_selected_only) {
-  std::vector<BendPinRef> pins;
-  auto const& layers = *document.layers;
-  for (auto each = layers.rbegin(); each != layers.rend(); ++each) {
-    auto const& layer = (*each)->layer;
-    if (!is_pickable(**each) || (is_selected_only && !is_selected(view, layer.id))) continue;
-    for (int i = 0; i < std::ssize(layer.bend_pins); ++i) pins.push_back({layer.id, i});
-  }
-  return pins;
-}
-
 double squared_distance_to(std::vector<Vec2> const& held, Vec2 p) {
   double least = std::numeric_limits<double>::infinity();
   for (auto const place : held) least = std::min(least, squared_norm(place - p));
@@ -37,9 +26,24 @@ BendPin const* find_pin(Document const& document, BendPinRef const& pin) {
   return is_there ? &pins[static_cast<std::size_t>(pin.index)] : nullptr;
 }
 
+std::vector<BendPinRef> pins_of(Document const& document) {
+  std::vector<BendPinRef> pins;
+  auto const& layers = *document.layers;
+  for (auto each = layers.rbegin(); each != layers.rend(); ++each) {
+    if (!is_pickable(**each)) continue;
+    auto const& layer = (*each)->layer;
+    for (int i = 0; i < std::ssize(layer.bend_pins); ++i) pins.push_back({layer.id, i});
+  }
+  return pins;
+}
+
 std::vector<BendPinRef> pins_in_turn(Document const& document, View const& view) {
-  auto pins = pins_of(document, view, true);
-  return pins.empty() ? pins_of(document, view, false) : pins;
+  auto const all = pins_of(document);
+  std::vector<BendPinRef> pins;
+  for (auto const& pin : all) {
+    if (is_selected(view, pin.layer)) pins.push_back(pin);
+  }
+  return pins.empty() ? all : pins;
 }
 
 std::optional<BendPinRef> pin_after(std::vector<BendPinRef> const& pins,

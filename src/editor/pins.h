@@ -14,6 +14,9 @@ namespace inkflate {
 /// Null: there is no such pin, or it cannot be taken hold of.
 BendPin const* find_pin(Document const& document, BendPinRef const& pin);
 
+/// All of them, front to back.
+std::vector<BendPinRef> pins_of(Document const& document);
+
 /// Front to back, as a person goes through them: those of the selected parts, or of all when the selected have none.
 std::vector<BendPinRef> pins_in_turn(Document const& document, View const& view);
 

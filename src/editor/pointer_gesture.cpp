@@ -23,6 +23,7 @@ ToolPointer tool_pointer(PointerState const& state, PointerEvent const& event, V
   pointer.pressure = event.kind == PointerKind::Pen ? event.pressure : 1;
   pointer.time_s = event.time_s;
   pointer.is_secondary = state.use == PointerUse::Tool && state.pointer.is_secondary;
+  pointer.is_finger = event.kind == PointerKind::Touch;
   pointer.modifiers = event.modifiers;
   return pointer;
 }

@@ -69,7 +69,11 @@ struct ToModel {
 struct ToAction {
   std::string name;
 };
-using Routed = std::variant<ToTool, ToCamera, ToModel, ToAction>;
+/// The wheel, while the Deform tool is held down.
+struct ToBendReach {
+  double factor = 1;  // > 0
+};
+using Routed = std::variant<ToTool, ToCamera, ToModel, ToAction, ToBendReach>;
 
 struct RouteStep {
   PointerState state;

@@ -24,6 +24,11 @@ double zoom_factor(double delta_px, double per_px) {
 RouteStep route_wheel(PointerState const& state, WheelEvent const& event, View const& view) {
   RouteStep step = {state, {}};
   if (!is_finite(event.delta_px)) return step;
+  bool const is_bending = state.use == PointerUse::Tool && state.tool == Tool::Deform;
+  if (is_bending && !event.modifiers.is_ctrl) {
+    step.routed.push_back(ToBendReach{zoom_factor(event.delta_px.y, kScrollPerPx)});
+    return step;
+  }
   bool const pans = view.mode == Mode::Draw && !event.modifiers.is_ctrl;
   if (pans) {
     // Some systems turn the wheel's direction themselves when Shift is held.

@@ -7,6 +7,7 @@
 
 #include "document/apply.h"
 #include "editor/action_handlers.h"
+#include "editor/bend_gesture.h"
 #include "editor/pick.h"
 
 namespace inkflate {
@@ -39,6 +40,7 @@ void change_gesture(EditorTurn& turn, Step& step) {
   if (step.effect == GestureEffect::None) return;
   if (step.effect == GestureEffect::Replace && step.commands.empty()) {
     state.gesture.reset();
+    drop_bend(state);
     turn.changes.is_scene_changed = true;
     return;
   }
@@ -58,11 +60,21 @@ void change_gesture(EditorTurn& turn, Step& step) {
   for (auto& command : step.commands) state.gesture->commands.push_back(std::move(command));
 }
 
+void set_pin(EditorTurn& turn, std::optional<BendPinRef> const& pin) {
+  if (turn.state.view.pin == pin) return;
+  turn.state.view.pin = pin;
+  turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
+}
+
 void take_step(EditorTurn& turn, Tool tool, Step step) {
   auto& [state, changes, progress, argument] = turn;
   state.tool = std::move(step.state);
   change_gesture(turn, step);
+  if (step.bend) bend_towards(turn, *step.bend);
+  if (step.is_end) finish_bend(turn);
   if (step.is_end) end_gesture(turn, action_of(tool));
+  if (step.word) say(turn, Severity::Warning, *step.word);
+  if (step.pin) set_pin(turn, *step.pin);
   if (step.selection) set_selection(turn, *std::move(step.selection));
   if (step.hover && *step.hover != state.view.hover) {
     state.view.hover = *step.hover;

@@ -6,6 +6,7 @@
 
 #include "document/apply.h"
 #include "editor/scene_guides.h"
+#include "editor/scene_pins.h"
 #include "render/palette.h"
 
 namespace inkflate {
@@ -83,6 +84,7 @@ void SceneBuilder::add_drawing(SceneInput const& input, View const& view, Scene&
       caches_.highlights.update(document.layers, view.selection, view.hover, fineness, next_id_));
   slot(caches_.marks, draw_marks(document, view), SceneSpace::Screen);
   if (view.tool == Tool::Select) caches_.frame.add(document, view, next_id_, chunks);
+  slot(caches_.pins, draw_pins(document, view, input.tool), SceneSpace::Screen);
 }
 
 }  // namespace inkflate

@@ -21,6 +21,7 @@ struct SceneCaches {
   HighlightChunks highlights;
   ChunkSlot marks;
   FrameChunk frame;
+  ChunkSlot pins;
 };
 
 }  // namespace inkflate

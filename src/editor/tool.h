@@ -8,7 +8,9 @@
 
 #include "document/command.h"
 #include "editor/events.h"
+#include "editor/message.h"
 #include "editor/view.h"
+#include "pipeline/bend_session.h"
 
 namespace inkflate {
 
@@ -21,6 +23,7 @@ struct ToolPointer {
   double time_s = 0;
   bool is_secondary = false;  // right button: the far side
   Modifiers modifiers;
+  bool is_finger = false;  // points less exactly than a mouse or a pen
 };
 
 struct ToolPress {
@@ -106,8 +109,37 @@ struct ToolPanning {
   Vec2 last;  // screen px
 };
 
-using ToolState = std::variant<ToolIdle, ToolDrawing, ToolErasing, ToolErasingLines, ToolPressedOn,
-                               ToolBoxing, ToolTransforming, ToolPanning>;
+/// What a press with the Deform tool means, as long as it is no drag.
+enum class BendPress {
+  Nothing,
+  Locked,  // a part that cannot be bent
+  Inside,  // of a part, away from its line
+  Line,
+  Pin,
+  Knob,  // of the selected pin: a drag turns it
+};
+
+/// Pressed to bend, not yet moved far enough to be a drag.
+struct ToolPressedToBend {
+  ToolPointer from;
+  BendPress on = BendPress::Nothing;
+  BendGrab what = {};  // that a drag would hold; means nothing for Nothing and Locked
+};
+
+/// A place of a line or a pin is dragged.
+struct ToolBending {
+  BendGrab what;
+  ToolPointer from;
+  Vec2 target;                          // where the held place shall go, canvas px
+  std::optional<double> turn_rad = {};  // of the pin that is turned, since the press
+  double hand_rad = 0;                  // how far the hand has gone around it
+  Vec2 last = {};                       // where the hand was, canvas px
+  std::optional<double> ring_px = {};   // the reach on the canvas, once it was changed in this drag
+};
+
+using ToolState =
+    std::variant<ToolIdle, ToolDrawing, ToolErasing, ToolErasingLines, ToolPressedOn, ToolBoxing,
+                 ToolTransforming, ToolPanning, ToolPressedToBend, ToolBending>;
 
 /// How the commands of a step change the gesture that is under way.
 enum class GestureEffect {
@@ -126,8 +158,12 @@ struct Step {
   std::optional<std::vector<LayerId>> selection = {};
   std::optional<Camera> camera = {};
   std::optional<LayerId> hover = {};
-  std::string action = {};    // to be done after the gesture: a name of actions.h
-  std::string argument = {};  // of it
+  std::optional<std::optional<BendPinRef>> pin = {};  // that is selected now; inside none: no pin
+  std::optional<ToolBending> bend =
+      {};  // what shall be bent so: more than a function of plain values does
+  std::optional<Word> word = {};  // why there is nothing to do
+  std::string action = {};        // to be done after the gesture: a name of actions.h
+  std::string argument = {};      // of it
 };
 
 /// What tools may look at.

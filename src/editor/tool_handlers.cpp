@@ -3,8 +3,7 @@
 #include <array>
 
 #include "editor/action_handlers.h"
-#include "editor/bend_reach.h"
-#include "editor/tools.h"
+#include "editor/bend_gesture.h"
 #include "io/svg_colour.h"
 
 namespace inkflate {
@@ -26,10 +25,8 @@ void settings_changed(EditorTurn& turn) { turn.changes.is_state_changed = true; 
 /// The brackets change the size of the tool that is held.
 void size_by(EditorTurn& turn, double factor) {
   auto& settings = turn.state.view.settings;
-  if (turn.state.view.tool == Tool::Deform) {
-    settings.bend_reach = bounded(settings.bend_reach.value_or(kUsualBendReach) * factor,
-                                  ToolSettings::kLeastBendReach, 1);
-  } else if (turn.state.view.tool == Tool::Eraser) {
+  if (turn.state.view.tool == Tool::Deform) return change_bend_reach(turn, factor);
+  if (turn.state.view.tool == Tool::Eraser) {
     settings.eraser_px = std::clamp(settings.eraser_px * factor, ToolSettings::kLeastEraserPx,
                                     ToolSettings::kLargestEraserPx);
   } else {

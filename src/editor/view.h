@@ -76,7 +76,7 @@ struct ToolSettings {
   double bend_body = 1;  // BendOptions::kLeastBody .. 1: how stiff the inside is beside the line
   std::optional<double> bend_reach =
       {};  // how far a drag reaches, as a share of the longer side of the part's box, kLeastBendReach .. 1.
-           // 1: the whole part; none: as the part is held
+      // 1: the whole part; none: as the part is held
 
   static constexpr double kLeastBrushPx = 0.5;
   static constexpr double kLargestBrushPx = 100;

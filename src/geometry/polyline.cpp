@@ -31,16 +31,28 @@ double signed_area(std::span<Vec2 const> contour) {
   return twice / 2;
 }
 
-bool contains(std::span<Vec2 const> contour, Vec2 p) {
-  bool inside = false;
+int winding_number(std::span<Vec2 const> contour, Vec2 p) {
+  int number = 0;
   for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
     auto const a = contour[i];
     auto const b = contour[j];
     if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) {
-      inside = !inside;
+      number += a.y > p.y ? 1 : -1;
     }
   }
-  return inside;
+  return number;
+}
+
+int winding_number(std::span<Contour const> contours, Vec2 p) {
+  int number = 0;
+  for (auto const& contour : contours) number += winding_number(contour, p);
+  return number;
+}
+
+bool contains(std::span<Vec2 const> contour, Vec2 p) { return winding_number(contour, p) != 0; }
+
+bool contains(std::span<Contour const> contours, Vec2 p) {
+  return winding_number(contours, p) != 0;
 }
 
 double squared_distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {

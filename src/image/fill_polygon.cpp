@@ -11,8 +11,15 @@ namespace {
 struct Edge {
   Vec2 top;
   Vec2 bottom;
+  int turn = 0;       // 1 for one that runs down, -1 for one that runs up
   int first_row = 0;  // the rows whose centres the edge crosses: first_row ... end_row - 1
   int end_row = 0;
+};
+
+/// Where an edge crosses the centres of a row.
+struct RowCrossing {
+  double x = 0;
+  int turn = 0;
 };
 
 /// The index of the first pixel of 0 ... size whose centre is not before the coordinate.
@@ -26,8 +33,9 @@ std::vector<Edge> edges_by_row(std::span<Contour const> contours, int height) {
     for (std::size_t i = 0; i < contour.size(); ++i) {
       auto top = contour[i];
       auto bottom = contour[(i + 1) % contour.size()];
-      if (top.y > bottom.y) std::swap(top, bottom);
-      Edge const edge = {top, bottom, first_centre_from(top.y, height),
+      int const turn = top.y > bottom.y ? -1 : 1;
+      if (turn < 0) std::swap(top, bottom);
+      Edge const edge = {top, bottom, turn, first_centre_from(top.y, height),
                          first_centre_from(bottom.y, height)};
       if (edge.first_row < edge.end_row) edges.push_back(edge);
     }
@@ -42,7 +50,7 @@ std::vector<Edge> edges_by_row(std::span<Contour const> contours, int height) {
 void fill_polygon(std::span<Contour const> contours, Mask& mask, std::uint8_t value) {
   auto const edges = edges_by_row(contours, mask.height);
   std::vector<Edge> active;
-  std::vector<double> crossings;
+  std::vector<RowCrossing> crossings;
   std::size_t next = 0;
   for (int row = 0; row < mask.height; ++row) {
     active.erase(std::remove_if(active.begin(), active.end(),
@@ -52,13 +60,18 @@ void fill_polygon(std::span<Contour const> contours, Mask& mask, std::uint8_t va
       active.push_back(edges[next]);
     }
     crossings.clear();
-    for (auto const& [top, bottom, first_row, end_row] : active) {
-      crossings.push_back(top.x + (row + 0.5 - top.y) * (bottom.x - top.x) / (bottom.y - top.y));
+    for (auto const& [top, bottom, turn, first_row, end_row] : active) {
+      crossings.push_back(
+          {top.x + (row + 0.5 - top.y) * (bottom.x - top.x) / (bottom.y - top.y), turn});
     }
-    std::sort(crossings.begin(), crossings.end());
-    for (std::size_t i = 1; i < crossings.size(); i += 2) {
-      int const end = first_centre_from(crossings[i], mask.width);
-      for (int x = first_centre_from(crossings[i - 1], mask.width); x < end; ++x) {
+    std::sort(crossings.begin(), crossings.end(),
+              [](RowCrossing const& a, RowCrossing const& b) { return a.x < b.x; });
+    int winding = 0;
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+      winding += crossings[i].turn;
+      if (winding == 0) continue;
+      int const end = first_centre_from(crossings[i + 1].x, mask.width);
+      for (int x = first_centre_from(crossings[i].x, mask.width); x < end; ++x) {
         mask.at(x, row) = value;
       }
     }

@@ -9,7 +9,7 @@
 
 namespace inkflate {
 
-/// Sets the pixels whose centre is inside an odd number of the contours. Of two polygons that share an edge (with
+/// Sets the pixels around whose centre the contours wind at all (non-zero). Of two polygons that share an edge (with
 /// the same end points) exactly one gets a centre on it.
 ///
 /// in      contours with finite points; fewer than three points fill nothing

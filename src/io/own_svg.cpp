@@ -138,6 +138,18 @@ bool parse_choice(SvgElement const& element, CloseChoice& choice) {
          parse_points(element["inkflate:inside"], choice.inside);
 }
 
+bool parse_bend_pins(std::string_view text, std::vector<BendPin>& pins) {
+  while (!(text = trimmed(text)).empty()) {
+    BendPin pin;
+    if (!take_point(text, pin.position)) return false;
+    if (!take_char(text, ';')) {
+      if (!take_finite(text, pin.turn_rad.emplace()) || !take_char(text, ';')) return false;
+    }
+    pins.push_back(pin);
+  }
+  return true;
+}
+
 // What a layer rarely has.
 bool parse_state(SvgElement const& element, int stroke_count, Layer& layer) {
   if (auto text = element.find("inkflate:id")) {
@@ -149,7 +161,8 @@ bool parse_state(SvgElement const& element, int stroke_count, Layer& layer) {
   layer.is_locked = element["inkflate:locked"] == "yes";
   layer.is_open = element["inkflate:open"] == "yes";
   return parse_indices(element["inkflate:noise"], stroke_count, layer.noise) &&
-         parse_choice(element, layer.choice);
+         parse_choice(element, layer.choice) &&
+         parse_bend_pins(element["inkflate:bend-pins"], layer.bend_pins);
 }
 
 // piece_room is as many pieces as the path can hold: a count in a file is not believed.

@@ -77,16 +77,14 @@ Part placed(Layer const& layer, Affine const& map) {
 }
 
 bool is_on(Part const& part, Vec2 p) {
-  bool is_inside = false;
   for (auto const& contour : part.contours) {
-    is_inside = is_inside != contains(contour, p);
     for (std::size_t i = 0; i < contour.size(); ++i) {
       auto const a = contour[i];
       auto const b = contour[(i + 1) % contour.size()];
       if (squared_distance_to_segment(p, a, b) <= kJoinPx * kJoinPx) return true;
     }
   }
-  return is_inside;
+  return contains(part.contours, p);
 }
 
 bool is_open(Run const& run, std::vector<Part> const& parts, std::size_t own) {

@@ -190,7 +190,7 @@ void append_area(std::string& text, Layer const& layer) {
   });
   append_attribute(text, "inkflate:kinds", [&](std::string& t) { append_kinds(t, outlines); });
   append_attribute(text, "inkflate:sources", [&](std::string& t) { append_sources(t, outlines); });
-  text += " fill-rule=\"evenodd\" stroke=\"none\"";
+  text += " fill-rule=\"nonzero\" stroke=\"none\"";
   append_paint(text, "fill", layer.fill.value_or(kFillColour));
   text += "/>\n";
 }
@@ -263,10 +263,25 @@ void append_pen_line(std::string& text, std::string_view name, Stroke const& str
   text += "/>\n";
 }
 
+void append_bend_pins(std::string& text, std::vector<BendPin> const& pins) {
+  if (pins.empty()) return;
+  append_attribute(text, "inkflate:bend-pins", [&](std::string& t) {
+    for (auto const& pin : pins) {
+      append_point(t, pin.position, append_number);
+      if (pin.turn_rad) {
+        t += ' ';
+        append_number(t, *pin.turn_rad);
+      }
+      t += ';';
+    }
+  });
+}
+
 // What a layer rarely has.
 void append_state(std::string& text, Layer const& layer) {
   if (!layer.noise.empty()) append_indices(text, "inkflate:noise", layer.noise);
   append_choice(text, layer.choice);
+  append_bend_pins(text, layer.bend_pins);
   if (layer.id != LayerId::None) {
     append_number_attribute(text, "inkflate:id", static_cast<int>(layer.id));
   }

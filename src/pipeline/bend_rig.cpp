@@ -2,6 +2,7 @@
 #include "pipeline/bend_rig.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -14,6 +15,18 @@ constexpr double kReachedPx = 1;
 bool is_same_list(std::vector<HeldPin> const& a, std::vector<HeldPin> const& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](HeldPin const& p, HeldPin const& q) { return p.pin == q.pin; });
+}
+
+// How far a hand or a pin takes hold around it, of a square as large as the part: what is drawn out of a head is a bump and no spike, and a
+// limb that is thinner than it is long is held by its whole width.
+constexpr double kGripShare = 0.1;
+
+double grip_px(FlatMesh const& mesh) {
+  double area = 0;
+  for (auto const& [a, b, c] : mesh.triangles) {
+    area += cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]) / 2;
+  }
+  return kGripShare * std::sqrt(area);
 }
 
 }  // namespace
@@ -41,6 +54,7 @@ BendRig::BendRig(std::vector<BendRoot> const& roots, std::vector<LayerId> const&
 BendRig::Part BendRig::part_at_start(std::shared_ptr<BendPart> bent,
                                      std::optional<StrokeRef> stroke) {
   Part part = {std::move(bent), stroke, {}, {}};
+  part.grip_px = grip_px(part.part->mesh().rest);
   part.start = part.part->now().pose;
   part.pose = part.start;
   for (auto const& held : part.part->now().pins) {

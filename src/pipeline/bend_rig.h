@@ -74,6 +74,7 @@ class BendRig {
     std::vector<Mouth> mouths = {};
     std::vector<char> fixed = {};
     int whole_with = -1;  // index of the part whose motion it shares; -1: it bends
+    double grip_px = 0;   // of what is held by hand
     bool is_moved = false;
     bool is_settled = true;
   };

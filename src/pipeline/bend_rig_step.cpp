@@ -129,7 +129,8 @@ void BendRig::bend(Part& part, int steps) {
     bool const has_arrived = advance(part);
     std::vector<BendHandle> handles;
     for (auto const& handle : part.handles) {
-      handles.push_back({handle.anchor, handle.staged, {}});
+      bool const is_by_hand = std::ssize(handles) < part.own_handles;
+      handles.push_back({handle.anchor, handle.staged, {}, is_by_hand ? part.grip_px : 0});
       if (handle.turn_rad) handles.back().turn_rad = handle.staged_rad;
     }
     auto const progress = bender.step(part.pose, {handles, part.fixed}, iterations);

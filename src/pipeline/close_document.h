@@ -47,7 +47,7 @@ Result<Simplify> close_layer_again(Document const& document, LayerId layer,
 struct ShapePreview {
   std::vector<Contour> contours;  // canvas px
   std::vector<int>
-      areas;  // per contour: its area, 0, 0, 1, ...; areas may overlap, each is even-odd by itself
+      areas;  // per contour: its area, 0, 0, 1, ...; areas may overlap, each is non-zero by itself
   std::vector<Polyline> closings;  // the bridges over gaps
 
   friend bool operator==(ShapePreview const&, ShapePreview const&) = default;

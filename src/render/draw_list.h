@@ -12,7 +12,7 @@
 
 namespace inkflate {
 
-/// An area by its contours, even-odd.
+/// An area by its contours: where they wind around at all (non-zero).
 struct FilledPath {
   std::vector<Contour> contours;
   Colour colour;

@@ -6,8 +6,8 @@
 
 namespace inkflate {
 
-/// The silhouette: 255 where the centre of a pixel lies inside a layer that is shown, by even-odd over its outlines (so holes are
-/// outside), else 0. As large as the canvas, rounded up to whole pixels, at most 16384 each way.
+/// The silhouette: 255 where the centre of a pixel lies inside a layer that is shown, where its outlines wind around it at all
+/// (non-zero, so holes are outside), else 0. As large as the canvas, rounded up to whole pixels, at most 16384 each way.
 Mask draw_mask(Drawing const& drawing);
 
 }  // namespace inkflate

@@ -54,11 +54,8 @@ void add_edge(Grid2<double>& cells, Vec2 a, Vec2 b) {
   }
 }
 
-/// A winding area as an even-odd share: 0 at even numbers, 1 at odd ones, linear between.
-double fold(double area) {
-  double const rest = std::abs(area) - 2 * std::floor(std::abs(area) / 2);
-  return rest > 1 ? 2 - rest : rest;
-}
+/// A winding area as a share: 0 at 0, 1 from one winding on in either direction, linear between.
+double fold(double area) { return std::min(std::abs(area), 1.0); }
 
 }  // namespace
 

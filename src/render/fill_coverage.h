@@ -8,7 +8,7 @@
 
 namespace inkflate {
 
-/// The share of each pixel that closed contours cover, even-odd, in the window of shares whose top left
+/// The share of each pixel that closed contours cover (non-zero), in the window of shares whose top left
 /// pixel is (left, top).
 ///
 /// in      contours: finite points, px; they may leave the window

@@ -13,7 +13,7 @@ namespace inkflate {
 /// What a sketch encloses, not yet fitted.
 struct QuickShape {
   std::vector<Contour> contours;   // canvas px
-  std::vector<int> areas;          // per contour: its group, counted from 0; even-odd for each
+  std::vector<int> areas;          // per contour: its group, counted from 0
   std::vector<Polyline> closings;  // those of their stretches that bridge gaps
 };
 

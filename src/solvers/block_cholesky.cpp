@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solvers/block_cholesky.h"
 
-/// Out of memory ends the program: without exceptions, Eigen asks for more than there can be. Said here, for the sake of checkers.
-namespace Eigen::internal {
-[[noreturn]] inline void throw_std_bad_alloc();
-}
-
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 
 #include "base/check.h"
+#include "solvers/eigen.h"
 
 namespace inkflate {
 

@@ -33,9 +33,15 @@ void redirect(std::string const& path, int flags, int descriptor) {
 
 ProgramRun run_inkflate(std::string const& folder, std::vector<std::string> const& arguments,
                         std::string const& standard_input) {
+  return run_program(INKFLATE_PROGRAM, folder, arguments, standard_input);
+}
+
+ProgramRun run_program(std::string const& program, std::string const& folder,
+                       std::vector<std::string> const& arguments,
+                       std::string const& standard_input) {
   ScratchFolder const streams;
   streams.write("in", standard_input);
-  std::vector<std::string> words = {INKFLATE_PROGRAM};
+  std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (auto& word : words) pointers.push_back(word.data());

@@ -13,6 +13,11 @@ struct ProgramRun {
   std::string err;
 };
 
+/// Runs a program with these arguments and standard input, in this folder.
+ProgramRun run_program(std::string const& program, std::string const& folder,
+                       std::vector<std::string> const& arguments,
+                       std::string const& standard_input = "");
+
 /// Runs inkflate with these arguments and standard input, in this folder.
 ProgramRun run_inkflate(std::string const& folder, std::vector<std::string> const& arguments,
                         std::string const& standard_input = "");

@@ -47,6 +47,13 @@ TEST(Pick, AHoleIsNotTheLayer) {
   EXPECT_EQ(pick_layer(document, {557, 500}, 5, PickDepth::Nearest), kFirst);  // on its rim
 }
 
+TEST(Pick, WhereALayerLiesOverItselfItIsTheLayer) {
+  auto const doubled = [](Layer& layer) { layer.outlines.push_back(layer.outlines.front()); };
+  auto const document =
+      with_changed(with_disc(empty_document(), {500, 500}, 100), kFirst, doubled);
+  EXPECT_EQ(pick_layer(document, {500, 500}, 0, PickDepth::Nearest), kFirst);
+}
+
 TEST(Pick, HiddenAndLockedLayersAreLookedThrough) {
   for (auto* change : {hide, lock}) {
     auto const document = with_changed(two_discs(), kSecond, change);

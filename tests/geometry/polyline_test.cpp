@@ -84,6 +84,30 @@ TEST(Polyline, ARayThroughCornersCountsThemOnce) {
   EXPECT_FALSE(contains(diamond, {-3, 2}));
 }
 
+TEST(Polyline, TheWindingNumberTellsHowOftenAndWhichWay) {
+  Contour const twice = {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {6, 0}, {6, 6}, {0, 6}};
+  EXPECT_EQ(winding_number(twice, {3, 3}), 2);
+  EXPECT_EQ(winding_number(twice, {7, 7}), 1);
+  EXPECT_EQ(winding_number(twice, {9, 3}), 0);
+  EXPECT_EQ(winding_number(Contour(twice.rbegin(), twice.rend()), {3, 3}), -2);
+}
+
+TEST(Polyline, WindingNumbersOfSeveralContoursAddUp) {
+  Contour const outer = {{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+  Contour const hole = {{2, 2}, {2, 6}, {6, 6}, {6, 2}};
+  std::vector<Contour> const ring = {outer, hole};
+  EXPECT_EQ(winding_number(ring, {1, 1}), 1);
+  EXPECT_EQ(winding_number(ring, {4, 4}), 0);
+  EXPECT_TRUE(contains(ring, {1, 1}));
+  EXPECT_FALSE(contains(ring, {4, 4}));
+  EXPECT_FALSE(contains(ring, {9, 4}));
+}
+
+TEST(Polyline, WhatLiesUnderItselfIsInside) {
+  Contour const twice = {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {6, 0}, {6, 6}, {0, 6}};
+  EXPECT_TRUE(contains(twice, {3, 3}));
+}
+
 TEST(Polyline, DistanceToASegmentIsTheLeastOverItsPoints) {
   Rng rng(2);
   for (int i = 0; i < 200; ++i) {

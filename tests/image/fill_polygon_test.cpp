@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/rng.h"
 #include "support/mask_text.h"
 
@@ -23,10 +25,11 @@ TEST(FillPolygon, TakesThePixelsWhoseCentresAreInside) {
                                                      "......"}));
 }
 
-TEST(FillPolygon, ContoursInsideOthersAreHoles) {
+TEST(FillPolygon, ContoursOfNegativeAreaAreHoles) {
   Mask mask(6, 5);
-  std::vector<Contour> const contours = {rectangle(0, 0, 6, 5), rectangle(1, 1, 5, 4),
-                                         rectangle(2, 2, 4, 3)};
+  auto hole = rectangle(1, 1, 5, 4);
+  std::reverse(hole.begin(), hole.end());
+  std::vector<Contour> const contours = {rectangle(0, 0, 6, 5), hole, rectangle(2, 2, 4, 3)};
   fill_polygon(contours, mask);
   EXPECT_EQ(text_of(mask), (std::vector<std::string>{"######",  //
                                                      "#....#",  //
@@ -35,7 +38,7 @@ TEST(FillPolygon, ContoursInsideOthersAreHoles) {
                                                      "######"}));
 }
 
-TEST(FillPolygon, AgreesWithTheEvenOddTestOnAnyPolygon) {
+TEST(FillPolygon, AgreesWithTheWindingNumberOfAnyPolygon) {
   Rng rng(1);
   for (int i = 0; i < 200; ++i) {
     Contour contour;

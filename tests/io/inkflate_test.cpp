@@ -117,7 +117,8 @@ constexpr char const* kGrownDocument = R"({
   "strokes": [{"kind": "ink", "width": 2, "colour": "#000000ff", "depth": "far",
     "positions": [1, 2]}],
   "layers": [{"name": "a", "id": 3, "hidden": true, "locked": true, "open": true,
-    "choice": {"gap": 7, "outside": [1, 2]}, "noise": [0]}],
+    "choice": {"gap": 7, "outside": [1, 2]}, "noise": [0],
+    "bend_pins": [{"position": [11, 12]}, {"position": [13, 14], "turn": 0.75}]}],
   "choice": {"inside": [5, 6, 7, 8]},
   "pins": [{"id": 4, "layer": 3, "side": "back", "rest": [9, 8], "position": [7, 6]}],
   "clip": {"length": 2, "tracks": [
@@ -134,6 +135,7 @@ TEST(Inkflate, AllOfAProjectIsReadAsItIsSpecified) {
   layer.is_hidden = layer.is_locked = layer.is_open = true;
   layer.choice = {7, {{1, 2}}, {}};
   layer.noise = {0};
+  layer.bend_pins = {{{11, 12}}, {{13, 14}, 0.75}};
   EXPECT_EQ(project.drawing.layers, std::vector<Layer>{layer});
   EXPECT_EQ(project.drawing.choice, (CloseChoice{{}, {}, {{5, 6}, {7, 8}}}));
   EXPECT_EQ(project.pins, (std::vector<Pin>{{PinId{4}, LayerId{3}, Side::Back, {9, 8}, {7, 6}}}));
@@ -146,7 +148,7 @@ TEST(Inkflate, LaterMembersAreWrittenOnlyWhereTheySaySomething) {
   auto const project = read_document_json(kDocument)->project;
   auto const text = write_document_json(project);
   for (auto const* const name : {"depth", "id", "hidden", "locked", "open", "choice", "noise",
-                                 "pins", "clip", "next_id", "template"}) {
+                                 "pins", "clip", "next_id", "bend_pins", "template"}) {
     EXPECT_EQ(text.find('"' + std::string(name) + '"'), text.npos) << name;
   }
 }
@@ -166,13 +168,17 @@ TEST(Inkflate, DamageInLaterMembersIsRefused) {
                                  Case{"\"gap\": 7", "\"gap\": 1e7"},
                                  Case{"[1, 2]},", "[1]},"},
                                  Case{"\"noise\": [0]", "\"noise\": [1]"},
+                                 Case{"[11, 12]", "[11]"},
+                                 Case{"[11, 12]", "[11, 1e7]"},
+                                 Case{"{\"position\": [11, 12]}", "7"},
+                                 Case{"0.75", "true"},
                                  Case{"{\"inside\": [5, 6, 7, 8]}", "[]"},
                                  Case{"\"id\": 4", "\"id\": -4"},
                                  Case{"\"layer\": 3", "\"layer\": []"},
                                  Case{"\"back\"", "\"top\""},
                                  Case{"[9, 8]", "[9, 8, 7]"},
                                  Case{"[9, 8]", "[9, 1e999]"},
-                                 Case{"\"position\"", "\"place\""},
+                                 Case{"\"position\": [7", "\"place\": [7"},
                                  Case{"\"length\": 2", "\"length\": 1"},
                                  Case{"\"length\": 2", "\"length\": -2"},
                                  Case{"\"length\": 2", "\"size\": 2"},

@@ -81,22 +81,35 @@ TEST(WriteSvg, NamesThatXmlCannotHoldAreReplaced) {
 }
 
 TEST(WriteSvg, DamagedDrawingDataIsNamed) {
-  auto const text = write_svg(square());
+  auto drawing = square();
+  drawing.layers.front().bend_pins = {{{30, 40}}, {{50, 60}, -0.5}};
+  auto const text = write_svg(drawing);
   struct Case {
     std::string from;
     std::string to;
   };
-  for (auto const& [from, to] :
-       {Case{"inkflate:details=\"0\"", "inkflate:details=\"1\""}, Case{"i1h1c1i1", "i1h1c1"},
-        Case{"i1h1c1i1", "i1h1c1x1"}, Case{"i1h1c1i1", "i1h1c1i999999999"},
-        Case{"i1h1c1i1", "i1h1c1i0"}, Case{"M10 10L90 10.12345", "M10 10L90 nan"},
-        Case{"M10 10L90 10.12345", "M10 10L90 1e7"}, Case{"pressure=\"1 0.5", "pressure=\"1"},
-        Case{"stroke-width=\"3\"", "stroke-width=\"-3\""},
-        Case{"sources=\";", "sources=\"0 1 5 0 1,;"},
-        Case{"sources=\";", "sources=\"0 1 0.5 0 1,;"}, Case{"sources=\";", "sources=\""},
-        Case{"thickness=\"2\"", "thickness=\"0\""}, Case{"thickness=\"2\"", "fill=\"none\""},
-        Case{"width=\"300\"", "width=\"wide\""}, Case{"stray=\"\"", "stray=\"-1\""},
-        Case{"Z\"", "\""}}) {
+  for (auto const& [from, to] : {Case{"inkflate:details=\"0\"", "inkflate:details=\"1\""},
+                                 Case{"i1h1c1i1", "i1h1c1"},
+                                 Case{"i1h1c1i1", "i1h1c1x1"},
+                                 Case{"i1h1c1i1", "i1h1c1i999999999"},
+                                 Case{"i1h1c1i1", "i1h1c1i0"},
+                                 Case{"M10 10L90 10.12345", "M10 10L90 nan"},
+                                 Case{"M10 10L90 10.12345", "M10 10L90 1e7"},
+                                 Case{"pressure=\"1 0.5", "pressure=\"1"},
+                                 Case{"stroke-width=\"3\"", "stroke-width=\"-3\""},
+                                 Case{"sources=\";", "sources=\"0 1 5 0 1,;"},
+                                 Case{"sources=\";", "sources=\"0 1 0.5 0 1,;"},
+                                 Case{"sources=\";", "sources=\""},
+                                 Case{"thickness=\"2\"", "thickness=\"0\""},
+                                 Case{"thickness=\"2\"", "fill=\"none\""},
+                                 Case{"width=\"300\"", "width=\"wide\""},
+                                 Case{"stray=\"\"", "stray=\"-1\""},
+                                 Case{"Z\"", "\""},
+                                 Case{"pins=\"30 40;", "pins=\"30;"},
+                                 Case{"pins=\"30 40;", "pins=\"30 1e7;"},
+                                 Case{" -0.5;", " -0.5 0.5;"},
+                                 Case{" -0.5;", " -0.5"},
+                                 Case{" -0.5;", " inf;"}}) {
     auto damaged = text;
     auto const at = damaged.find(from);
     ASSERT_NE(at, damaged.npos) << from;

@@ -47,6 +47,16 @@ TEST(DrawMask, IsInsideExactlyAtPixelCentresInside) {
   }
 }
 
+TEST(DrawMask, WhereALayerLiesOverItselfItIsThere) {
+  auto drawing = holed_square();
+  auto const over = straight_outline({{15, 15}, {40, 15}, {40, 40}, {15, 40}},
+                                     {RunKind::Ink, RunKind::Ink, RunKind::Ink, RunKind::Ink});
+  drawing.layers[0].outlines.push_back(over);
+  auto const mask = draw_mask(drawing);
+  EXPECT_EQ(mask.at(25, 25), 255);
+  EXPECT_EQ(mask.at(35, 35), 255);
+}
+
 TEST(DrawMask, OverlappingLayersAreUnited) {
   auto drawing = holed_square();
   drawing.layers.push_back(drawing.layers[0]);

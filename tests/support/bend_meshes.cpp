@@ -5,7 +5,6 @@
 
 #include "base/check.h"
 #include "mesh/mesh_region.h"
-#include "support/flat_meshes.h"
 
 namespace inkflate::support {
 namespace {
@@ -47,7 +46,24 @@ Contour evenly_sampled(Contour contour, int count) {
 
 BendMesh bar_mesh(double length_px, double width_px, int columns, int rows) {
   BendMesh mesh;
-  mesh.rest = strip_layer({0, 0}, {length_px, 0}, width_px, columns, rows, Ends::None).mesh;
+  for (int i = 0; i <= columns; ++i) {
+    for (int j = 0; j <= rows; ++j) {
+      mesh.rest.points.push_back({length_px * i / columns, width_px * (2 * j - rows) / (2 * rows)});
+    }
+  }
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      int const p = i * (rows + 1) + j;
+      int const q = p + rows + 1;
+      if (2 * j < rows) {
+        mesh.rest.triangles.push_back({p, q, q + 1});
+        mesh.rest.triangles.push_back({p, q + 1, p + 1});
+      } else {
+        mesh.rest.triangles.push_back({p, q, p + 1});
+        mesh.rest.triangles.push_back({q, q + 1, p + 1});
+      }
+    }
+  }
   mesh.stiffness.assign(mesh.rest.triangles.size(), 1);
   mesh.edge_px = length_px / columns;
   return mesh;
@@ -90,6 +106,17 @@ BendAnchor anchor_of(FlatMesh const& mesh, int vertex) {
   }
   CHECK(false, "a vertex of a triangle");
   return {};
+}
+
+BendAnchor anchor_near(BendMesh const& mesh, Vec2 place) {
+  return anchor_of(mesh.rest, nearest_vertex(mesh.rest, place));
+}
+
+double largest_distance(BendPose const& a, BendPose const& b) {
+  CHECK(a.size() == b.size(), "poses of one mesh");
+  double largest = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, distance(a[v], b[v]));
+  return largest;
 }
 
 BendMesh side_by_side(BendMesh const& a, BendMesh const& b) {

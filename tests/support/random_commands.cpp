@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "document/transform.h"
 #include "support/random_document.h"
 #include "support/spoil_command.h"
 
@@ -51,6 +52,27 @@ Layer random_shape(Rng& rng, std::vector<int> const& chosen) {
   }
   shape.outlines.push_back(std::move(outline));
   return shape;
+}
+
+Affine random_shear(Rng& rng) {
+  return {1, rng.uniform(-0.1, 0.1), rng.uniform(-0.1, 0.1), 1, rng.uniform(-9, 9), 2};
+}
+
+std::vector<Vec2> places(KeptStroke const& kept, Affine const& map) {
+  std::vector<Vec2> positions;
+  for (auto const& sample : kept.stroke.samples) positions.push_back(map(sample.position));
+  return positions;
+}
+
+Bend::Part bent(DocumentLayer const& layer, Affine const& map) {
+  auto const moved = transformed(layer.layer, map);
+  Bend::Part part = {moved.id, moved.outlines, {}, moved.choice.outside};
+  part.marks.insert(part.marks.end(), moved.choice.inside.begin(), moved.choice.inside.end());
+  layer.strokes.for_each([&](Shared<KeptStroke> const& kept) {
+    auto const samples = places(*kept, map);
+    part.samples.insert(part.samples.end(), samples.begin(), samples.end());
+  });
+  return part;
 }
 
 /// Picks what a sensible command of each kind needs from a document. Where there is nothing to pick from, the command will be refused.
@@ -127,6 +149,25 @@ class Sensible {
                            {0.8, 0.6, -0.6, 0.8, 3, -2}};
     TransformLayers command = {{}, maps[rng_.below(4)]};
     if (rng_.below(3) != 0) command.layers = some_layers();
+    return command;
+  }
+
+  Bend make(Bend*) {
+    Bend command;
+    for (auto const id : some_layers()) {
+      command.parts.push_back(bent(*find_layer(document_, id), random_shear(rng_)));
+    }
+    if (document_.loose.is_empty() || rng_.below(2) == 0) return command;
+    auto const map = random_shear(rng_);
+    for (int const index : some_of(document_.loose.size())) {
+      command.lines.push_back({{LayerId::None, index}, places(*document_.loose[index], map)});
+    }
+    return command;
+  }
+  SetBendPins make(SetBendPins*) {
+    SetBendPins command = {layer(), {}};
+    for (int i = rng_.below(4); i > 0; --i) command.pins.push_back({point_on_sheet(rng_)});
+    if (!command.pins.empty()) command.pins.back().turn_rad = rng_.uniform(-3, 3);
     return command;
   }
 

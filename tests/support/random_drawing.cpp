@@ -97,6 +97,10 @@ void randomise_state(Rng& rng, Layer& layer) {
   layer.is_hidden = rng.below(4) == 0;
   layer.is_locked = rng.below(4) == 0;
   layer.is_open = rng.below(4) == 0;
+  for (int i = rng.below(3); i > 0; --i) {
+    layer.bend_pins.push_back({random_point(rng)});
+    if (rng.below(2) == 0) layer.bend_pins.back().turn_rad = rng.uniform(-7, 7);
+  }
 }
 
 }  // namespace

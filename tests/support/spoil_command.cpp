@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "document/apply.h"
+
 namespace inkflate::test {
 namespace {
 
@@ -32,10 +34,7 @@ class Spoiler {
   }
   void spoil(EraseStrokes& c) {
     if (!c.strokes.empty() && rng_.below(3) == 0) c.strokes.push_back(c.strokes.front());
-    for (auto& ref : c.strokes) {
-      spoil_index(ref.index);
-      spoil(ref.layer);
-    }
+    for (auto& ref : c.strokes) spoil(ref);
   }
   void spoil(Simplify& c) {
     if (!c.sets.empty() && rng_.below(4) == 0) c.sets.push_back(c.sets.front());
@@ -56,6 +55,28 @@ class Spoiler {
     spoil_list(c.layers);
     for (auto* value : {&c.map.a, &c.map.b, &c.map.c, &c.map.d, &c.map.e, &c.map.f}) spoil(*value);
     if (rng_.below(3) == 0) c.map = Affine::scaling(0, 0);
+  }
+  void spoil(Bend& c) {
+    if (!c.parts.empty() && rng_.below(4) == 0) c.parts.push_back(c.parts.front());
+    if (!c.lines.empty() && rng_.below(4) == 0) c.lines.push_back(c.lines.front());
+    for (auto& part : c.parts) {
+      spoil(part.layer);
+      spoil_list(part.outlines);
+      spoil_list(part.samples);
+      spoil_list(part.marks);
+    }
+    for (auto& line : c.lines) {
+      spoil(line.stroke);
+      spoil_list(line.samples);
+    }
+  }
+  void spoil(SetBendPins& c) {
+    spoil(c.layer);
+    for (auto& pin : c.pins) {
+      spoil(pin.position);
+      if (pin.turn_rad) spoil(*pin.turn_rad);
+    }
+    if (!c.pins.empty() && rng_.below(4) == 0) c.pins.resize(DocumentLimits::kBendPins + 1);
   }
   void spoil(RenameLayer& c) {
     spoil(c.layer);
@@ -119,15 +140,20 @@ class Spoiler {
   }
   void spoil(LayerId& id) { spoil_id(id); }
   void spoil(PinId& id) { spoil_id(id); }
+  void spoil(StrokeRef& ref) {
+    spoil_index(ref.index);
+    spoil(ref.layer);
+  }
+  void spoil(Outline& outline) {
+    for (auto& piece : outline.pieces) spoil(piece.curve.control[0]);
+    for (auto& source : outline.sources) spoil_index(source.stroke);
+  }
   void spoil(Layer& shape) {
     for (auto* list : {&shape.strokes, &shape.details, &shape.noise}) {
       for (int& stroke : *list) spoil_index(stroke);
     }
     if (rng_.below(4) == 0) shape.outlines.clear();
-    for (auto& outline : shape.outlines) {
-      for (auto& piece : outline.pieces) spoil(piece.curve.control[0]);
-      for (auto& source : outline.sources) spoil_index(source.stroke);
-    }
+    for (auto& outline : shape.outlines) spoil(outline);
     spoil(shape.thickness);
   }
 

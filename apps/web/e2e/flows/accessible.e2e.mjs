@@ -63,6 +63,12 @@ for (const device of ["wide", "phone"]) {
       await studio.act("select_all");
       await inspection.look("selected");
       await inspection.lookAtPanels();
+      await studio.act("deform");
+      await studio.act("add_pin");
+      await studio.until("a pin", (state) => state.hasPin);
+      await inspection.look("bending");
+      await world.page.getByRole("button", { name: "More about bending" }).click();
+      await inspection.look("more about bending");
       await inflate(world);
       await inspection.look("inflated");
       assert.deepEqual(inspection.found, []);

@@ -36,7 +36,7 @@ function paintedFill(fill: FilledPath): PaintedItem {
     cost,
     paint(context) {
       context.fillStyle = colour;
-      context.fill(path, "evenodd");
+      context.fill(path, "nonzero");
     },
   };
 }

@@ -6,7 +6,7 @@ import type { AffineNumbers, Rgba } from "./scene";
 export interface FilledPath {
   readonly kind: "fill";
   readonly colour: Rgba;
-  /** Even-odd; x, y, x, y, ... */
+  /** x, y, x, y, ... The area is where they wind around at all (non-zero). */
   readonly contours: readonly Float32Array[];
 }
 

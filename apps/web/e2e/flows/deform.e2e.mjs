@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines are dragged, and bend as one expects.
+import assert from "node:assert/strict";
+import { characterOn, drawArm, drawPart, inflate } from "../harness/drawn.mjs";
+import { assertValidGlb } from "../harness/judges.mjs";
+import { readPng } from "../harness/png.mjs";
+import { test } from "../harness/tests.mjs";
+
+const text = async (studio) => String(await studio.written("svg"));
+
+/** The tool, and nothing on the paper but the drawing. */
+async function deform({ studio, keys }) {
+  await studio.act("grid");
+  await keys.press("d");
+  return studio.until("the tool", (state) => state.tool === "deform");
+}
+
+/** A body with its near arm, and where the arm's hand is. */
+async function withArm(world, hand) {
+  const { studio } = world;
+  await studio.open();
+  const character = await characterOn(studio);
+  await drawPart(world, hand, character.body, 1);
+  await drawArm(world, hand, character.near, 2);
+  await deform(world);
+  return { ...character, tip: character.place([897, 318]) };
+}
+
+/** One part alone: an upright bar. */
+async function withBar(world, hand) {
+  const { studio } = world;
+  await studio.open();
+  const { place } = await characterOn(studio);
+  const corners = [
+    [420, 200],
+    [580, 200],
+    [580, 700],
+    [420, 700],
+    [420, 202],
+  ];
+  await drawPart(world, hand, [corners.map(place)], 1);
+  await deform(world);
+  return place;
+}
+
+const isFilled = ([red, green, blue]) => red > 235 && green > 225 && blue < 235;
+const isInk = ([red, green, blue]) => red + green + blue < 240;
+
+/** Whether a line runs through a small square. */
+function hasLine(picture, [x, y], halfSidePx = 8) {
+  for (let dy = -halfSidePx; dy <= halfSidePx; ++dy) {
+    for (let dx = -halfSidePx; dx <= halfSidePx; ++dx) {
+      if (isInk(picture.at(x + dx, y + dy))) return true;
+    }
+  }
+  return false;
+}
+
+/** From now on the page remembers whether it has said that work takes long. */
+function watchLongWork(page) {
+  return page.evaluate(() => {
+    globalThis.inkflateStudio.longWork.subscribe((work) => {
+      if (work !== null) globalThis.inkflateWorkedLong = true;
+    });
+  });
+}
+
+test("an arm that is dragged bends; undo and redo give each picture back", {}, async (world) => {
+  const { studio, page, mouse, keys, picture } = world;
+  const { tip, place } = await withArm(world, mouse);
+  const before = await text(studio);
+  await watchLongWork(page);
+  const raised = place([800, 60]);
+  await mouse.drag(tip, raised, { steps: 30 });
+  await studio.until("bent", (state) => state.undo === "deform");
+  await page.waitForTimeout(200);
+  const bent = await text(studio);
+  assert.notEqual(bent, before);
+  const drawn = readPng(await picture("bent"));
+  assert.ok(hasLine(drawn, raised), "the line has not come along");
+  assert.ok(!hasLine(drawn, tip), "the line is still there");
+  await keys.press("Control+z");
+  await studio.until("undone", (state) => state.undo !== "deform");
+  assert.equal(await text(studio), before);
+  await page.waitForTimeout(200);
+  assert.ok(hasLine(readPng(await picture("undone")), tip));
+  await keys.press("Control+Shift+z");
+  await studio.until("redone", (state) => state.undo === "deform");
+  assert.equal(await text(studio), bent);
+  assert.equal(await page.evaluate(() => globalThis.inkflateWorkedLong), undefined);
+});
+
+test("a click on a line sets a pin, and Esc drops what is being bent", {}, async (world) => {
+  const { studio, mouse, keys, picture } = world;
+  const place = await withBar(world, mouse);
+  await mouse.click(place([500, 700]));
+  await studio.until("a pin", (state) => state.pins === 1 && state.hasPin);
+  await mouse.click(place([420, 450]));
+  await studio.until("two pins", (state) => state.pins === 2);
+  await picture("pins");
+  const before = await text(studio);
+  await mouse.press(place([500, 200]));
+  for (let step = 1; step <= 10; ++step) {
+    await mouse.send("mouseMoved", place([500 + 20 * step, 200]), "left", 1);
+  }
+  await picture("bending");
+  await keys.press("Escape");
+  await mouse.release(place([700, 200]));
+  assert.equal((await studio.state()).undo, "add_pin");
+  assert.equal(await text(studio), before);
+  await mouse.drag(place([500, 200]), place([700, 230]), { steps: 20 });
+  await studio.until("bent", (state) => state.undo === "deform");
+  await picture("bent");
+  assert.notEqual(await text(studio), before);
+});
+
+test("a hand at rest lets the drawing settle, and then nothing goes on", {}, async (world) => {
+  const { studio, page, mouse } = world;
+  const place = await withBar(world, mouse);
+  await mouse.click(place([500, 700]));
+  await studio.until("a pin", (state) => state.pins === 1);
+  await mouse.press(place([500, 200]));
+  await mouse.send("mouseMoved", place([540, 210]), "left", 1);
+  await page.evaluate(() => {
+    globalThis.inkflateFrames = 0;
+    globalThis.inkflateStudio.onFrame(() => ++globalThis.inkflateFrames);
+  });
+  const framesIn = async (ms) => {
+    const before = await page.evaluate(() => globalThis.inkflateFrames);
+    await page.waitForTimeout(ms);
+    return (await page.evaluate(() => globalThis.inkflateFrames)) - before;
+  };
+  await mouse.send("mouseMoved", place([760, 300]), "left", 1);
+  const settling = await framesIn(2500);
+  assert.ok(settling > 2, `it settled in ${settling} frames`);
+  assert.equal(await framesIn(600), 0);
+  await mouse.release(place([760, 300]));
+  await studio.until("bent", (state) => state.undo === "deform");
+});
+
+test("a limb that lies over its own body is filled there", {}, async (world) => {
+  const { studio, page, mouse, picture } = world;
+  await studio.open();
+  const { place } = await characterOn(studio);
+  const outline = [
+    [150, 150],
+    [400, 150],
+    [400, 250],
+    [860, 250],
+    [880, 285],
+    [860, 320],
+    [400, 320],
+    [400, 650],
+    [150, 650],
+    [150, 153],
+  ];
+  await drawPart(world, mouse, [outline.map(place)], 1);
+  await deform(world);
+  for (const pin of [
+    [150, 400],
+    [275, 650],
+    [275, 150],
+  ]) {
+    await mouse.click(place(pin));
+  }
+  await studio.until("three pins", (state) => state.pins === 3);
+  const way = [
+    [880, 285],
+    [850, 480],
+    [700, 620],
+    [520, 600],
+    [400, 560],
+    [290, 520],
+  ];
+  const smooth = way.slice(1).flatMap((to, index) => {
+    const from = way[index];
+    return [0.2, 0.4, 0.6, 0.8, 1].map((t) => [
+      from[0] + (to[0] - from[0]) * t,
+      from[1] + (to[1] - from[1]) * t,
+    ]);
+  });
+  await mouse.stroke([way[0], ...smooth].map(place));
+  await studio.until("bent", (state) => state.undo === "deform");
+  await page.mouse.move(20, 500);
+  await page.waitForTimeout(300);
+  const drawn = readPng(await picture("crossed"));
+  const [x, y] = place(way.at(-1));
+  assert.ok(hasLine(drawn, [x, y]), "the limb does not lie over the body");
+  let paper = 0;
+  for (let dy = -40; dy <= 40; ++dy) {
+    for (let dx = -40; dx <= 40; ++dx) {
+      const [red, green, blue] = drawn.at(x + dx, y + dy);
+      if (!isFilled([red, green, blue]) && red > 245 && blue > 236) ++paper;
+    }
+  }
+  assert.equal(paper, 0, "there is a hole where the limb lies over the body");
+});
+
+test("what was bent is there after a reload, with its pins, and is inflated", {}, async (world) => {
+  const { studio, page, mouse, keys } = world;
+  const { tip, place } = await withArm(world, mouse);
+  await mouse.click(place([640, 390]));
+  await studio.until("a pin", (state) => state.pins === 1);
+  await mouse.drag(tip, place([820, 120]), { steps: 20 });
+  await studio.until("bent", (state) => state.undo === "deform");
+  await studio.saved();
+  const bent = await text(studio);
+  await page.reload();
+  await studio.until("ready again", (state) => !state.isStarting && state.layers.length === 2);
+  assert.equal(await text(studio), bent);
+  assert.equal((await studio.state()).pins, 1);
+  await keys.press("d");
+  await keys.press("n");
+  await studio.until("the pin", (state) => state.hasPin);
+  await inflate(world);
+  await assertValidGlb(await studio.written("glb"));
+});
+
+test("pins are set, moved, turned and deleted by keys alone", {}, async (world) => {
+  const { studio, page, keys, mouse, picture } = world;
+  await withBar(world, mouse);
+  const said = () => page.getByRole("status").allTextContents();
+  await keys.press("Control+a");
+  await studio.until("selected", (state) => state.layers[0].isSelected);
+  const before = await text(studio);
+  await keys.press("Shift+D");
+  await studio.until("a pin", (state) => state.pins === 1 && state.hasPin);
+  await keys.press("Shift+D");
+  await studio.until("another pin", (state) => state.pins === 2);
+  assert.equal(await text(studio), before);
+  await keys.press("n");
+  await studio.until("the first pin", (state) => state.hasPin);
+  await page.waitForTimeout(100);
+  assert.match((await said()).join(" "), /Pin 1\/2/);
+  for (let press = 0; press < 4; ++press) await keys.press("Shift+ArrowRight");
+  await studio.until("moved", (state) => state.undo === "deform");
+  const moved = await text(studio);
+  assert.notEqual(moved, before);
+  await keys.press(".");
+  await keys.press(".");
+  await page.waitForTimeout(300);
+  await picture("turned");
+  assert.notEqual(await text(studio), moved);
+  await keys.press("Delete");
+  const left = await studio.until("one pin less", (state) => state.pins === 1);
+  assert.equal(left.layers.length, 1);
+  await keys.press("Escape");
+  await studio.until("no pin", (state) => !state.hasPin && state.tool === "deform");
+});
+
+for (const device of ["tablet", "phone"]) {
+  test(`${device}: a finger bends, a tap sets a pin and takes it`, { device }, async (world) => {
+    const { studio, page, touch, picture } = world;
+    const place = await withBar(world, touch);
+    await touch.tap(place([500, 700]));
+    await studio.until("a pin", (state) => state.pins === 1 && state.hasPin);
+    await touch.tap(place([420, 450]));
+    await studio.until("two pins", (state) => state.pins === 2);
+    const before = await text(studio);
+    const way = Array.from({ length: 20 }, (_, step) => place([500 + 10 * step, 200 + 2 * step]));
+    await touch.stroke(way);
+    await studio.until("bent", (state) => state.undo === "deform");
+    await picture("bent");
+    assert.notEqual(await text(studio), before);
+    // Half a finger beside it.
+    const [x, y] = place([500, 700]);
+    await touch.tap([x + 12, y - 10]);
+    await studio.until("still two pins", (state) => state.pins === 2 && state.hasPin);
+    await page.getByRole("button", { name: "Delete pin" }).tap();
+    await studio.until("one pin", (state) => state.pins === 1);
+  });
+}
+
+test("a pen bends what it drags", { device: "tablet" }, async (world) => {
+  const { studio, pen } = world;
+  const { tip, place } = await withArm(world, pen);
+  await pen.drag(tip, place([820, 120]), { steps: 20 });
+  await studio.until("bent", (state) => state.undo === "deform");
+});
+
+test("the bar says how it bends, and does it", {}, async (world) => {
+  const { studio, page, mouse, keys, picture } = world;
+  const place = await withBar(world, mouse);
+  const body = page.getByRole("slider", { name: "Stiffness of the body" });
+  assert.equal(await body.getAttribute("aria-valuetext"), "Body");
+  await body.focus();
+  await keys.press("Home");
+  await studio.until("wire", (state) => state.bendBody === 0.003);
+  assert.equal(await body.getAttribute("aria-valuetext"), "Wire");
+  const reach = page.getByRole("slider", { name: "Reach" });
+  await reach.focus();
+  await keys.press("End");
+  await studio.until("all of it", (state) => state.bendReach === 1);
+  await page.getByRole("button", { name: "Auto" }).click();
+  await studio.until("automatic", (state) => state.bendReach === null);
+  await page.getByRole("button", { name: "More about bending" }).click();
+  await picture("more");
+  await page.getByRole("switch", { name: "As a wire strip" }).click();
+  await studio.until("a strip", (state) => state.bendMode === "wire");
+  await mouse.click(place([900, 700]));
+  await mouse.drag(place([580, 450]), place([680, 450]), { steps: 12 });
+  await studio.until("bent", (state) => state.undo === "deform");
+});

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+import { describe, expect, test } from "vitest";
+import type { FromWorker } from "../protocol/messages";
+import { MemoryJournalStore } from "../storage/memory-journal-store";
+import { CoreWorker } from "./core-worker";
+import type { CoreEngine } from "./engine";
+import type { EngineChanges } from "./engine-changes";
+
+const changes: EngineChanges = {
+  isSceneChanged: false,
+  isDocumentChanged: false,
+  isStateChanged: false,
+  messages: [],
+  files: [],
+  requests: [],
+  journal: new Uint8Array(),
+  isJournalNew: false,
+  isRecoveredWhole: true,
+};
+
+/** An engine that settles in so many rounds after each event; keeps what it was asked to do. */
+class SettlingEngine {
+  readonly done: string[] = [];
+  /** Called in the midst of the first round. */
+  onFirstWork = () => undefined as unknown;
+  private rounds = 0;
+
+  handle(): void {
+    this.done.push("event");
+    this.rounds = 4;
+  }
+
+  hasWork(): boolean {
+    return this.rounds > 0;
+  }
+
+  work(): void {
+    if (!this.done.includes("work")) this.onFirstWork();
+    this.done.push("work");
+    --this.rounds;
+  }
+
+  takeChanges(): EngineChanges {
+    return changes;
+  }
+
+  scene(): null {
+    return null;
+  }
+
+  state(): null {
+    return null;
+  }
+}
+
+const move = { type: "resize", width: 1, height: 1, bars: 0 } as const;
+
+function started() {
+  const engine = new SettlingEngine();
+  const posted: FromWorker[] = [];
+  const post = (message: FromWorker) => posted.push(message);
+  const worker = new CoreWorker(
+    engine as unknown as CoreEngine,
+    new MemoryJournalStore(() => "session"),
+    post,
+  );
+  return { engine, posted, worker };
+}
+
+const aWhile = () => new Promise((resolve) => setTimeout(resolve, 30));
+describe("work that can wait", () => {
+  test("is done a round at a time, each shown by a frame, and then ends", async () => {
+    const { engine, posted, worker } = started();
+    await aWhile();
+    posted.length = 0;
+    worker.take({ kind: "events", events: [move], sequence: 1 });
+    await aWhile();
+    expect(engine.done).toEqual(["event", "work", "work", "work", "work"]);
+    const frames = posted.filter(({ kind }) => kind === "frame");
+    expect(frames).toHaveLength(5);
+    await aWhile();
+    expect(posted.filter(({ kind }) => kind === "frame")).toHaveLength(5);
+  });
+
+  test("gives way to what has come meanwhile", async () => {
+    const { engine, worker } = started();
+    await aWhile();
+    engine.onFirstWork = () => {
+      queueMicrotask(() => {
+        worker.take({ kind: "events", events: [move, move], sequence: 3 });
+      });
+    };
+    worker.take({ kind: "events", events: [move], sequence: 1 });
+    await aWhile();
+    expect(engine.done.slice(0, 4)).toEqual(["event", "work", "event", "event"]);
+    expect(engine.done.slice(4)).toEqual(["work", "work", "work", "work"]);
+  });
+});
