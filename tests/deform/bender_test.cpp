@@ -39,6 +39,12 @@ std::vector<BendShape> sample_shapes() {
           {{polygon_outline({{5, 5}, {5, 5}})}, {{{9, 9}}}},
           {{disc_outline({1e4, 1e4}, 1e4)}, {}},
           {{disc_outline({1.5, 1.5}, 1.5)}, {}},
+          // Thinner than doubles can tell, and smaller.
+          {{polygon_outline({{0, 0}, {100, 1e-13}, {200, 0}, {100, 2e-13}})}, {}},
+          {{disc_outline({1e6, 1e6}, 1e-8)}, {}},
+          only_lines({{{1e6, 1e6}, {1e6, 1e6 + 1e-8}}}),
+          // Comes back to its start again and again.
+          only_lines({{{0, 0}, {50, 0}, {0, 0}, {0, 50}, {0, 0}, {50, 0}, {0, 0}}}),
           only_lines({wave, {{5, 60}, {200, 90}}, {{300, 80}}}),
           only_lines({{{3, 3}}, {{40, 3}}})};
 }
