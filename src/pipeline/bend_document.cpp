@@ -2,10 +2,10 @@
 #include "pipeline/bend_document.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include "document/apply.h"
 #include "document/check_values.h"
 #include "pipeline/bend_rests.h"
 
@@ -16,13 +16,15 @@ namespace {
 constexpr double kPinPx = 1;
 
 // Shapes come to rest in some ten steps and one more for each stretch of a long way; those that cannot stop here.
-constexpr int kMostRounds = 300;
+constexpr int kMostRounds = 100;
 constexpr int kStepsOfRound = 4;
 
 Error cancelled() { return {ErrorCode::Cancelled, "stopped on request"}; }
 
 bool is_valid(BendMove const& move) {
-  return is_on_sheet(move.from) && is_on_sheet(move.to) && std::isfinite(move.turn_rad.value_or(0));
+  return is_on_sheet(move.from) && is_on_sheet(move.to) &&
+         is_within(move.turn_rad.value_or(0), -DocumentLimits::kBendTurnRad,
+                   DocumentLimits::kBendTurnRad);
 }
 
 /// The layers that are moved, each once, in the order of the moves, and which of them each move is of.
@@ -77,9 +79,8 @@ bool is_cancelled(Progress const& progress) {
 
 }  // namespace
 
-Result<std::vector<Command>> bend_document(Document const& document,
-                                           std::vector<BendMove> const& moves,
-                                           BendOptions const& options, Progress const& progress) {
+Result<BentDocument> bend_document(Document const& document, std::vector<BendMove> const& moves,
+                                   BendOptions const& options, Progress const& progress) {
   if (moves.empty()) return Error{ErrorCode::NothingThere, "no place to move"};
   if (!progress.enter("bend")) return cancelled();
   for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -93,20 +94,28 @@ Result<std::vector<Command>> bend_document(Document const& document,
   auto const roots = roots_of(document, moves, moved, rests, options);
   if (!roots) return roots.error();
   auto rig = rests.rig(document, *roots, options);
+  std::vector<int> handles;
   for (std::size_t i = 0; i < moves.size(); ++i) {
     int const root = moved.of_move[i];
     auto const& move = moves[i];
     int const handle = handle_of(move, root, *(*roots)[static_cast<std::size_t>(root)].part, rig);
+    handles.push_back(handle);
     rig.move(root, handle, rig.start(root, handle) + (move.to - move.from), move.turn_rad);
   }
+  BentDocument bent;
   for (int i = 0; i < kMostRounds && !rig.is_settled(); ++i) {
     if (is_cancelled(progress)) return cancelled();
     rig.step(kStepsOfRound);
+    bent.steps += kStepsOfRound;
   }
+  bent.is_settled = rig.is_settled();
   rig.snap();
-  auto commands = rig.commands();
-  if (commands.empty()) return Error{ErrorCode::NothingThere, "nothing moves"};
-  return commands;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    bent.ends.push_back(rig.end(moved.of_move[i], handles[i]));
+  }
+  bent.commands = rig.commands();
+  if (bent.commands.empty()) return Error{ErrorCode::NothingThere, "nothing moves"};
+  return bent;
 }
 
 }  // namespace inkflate

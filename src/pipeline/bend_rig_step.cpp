@@ -10,8 +10,9 @@ namespace inkflate {
 namespace {
 
 // What a handle aims at goes this far in a step, in edges of the mesh, and turns by this much: drawn from farther away a shape
-// would first be pulled out thin.
+// would first be pulled out thin. Of a very long way it goes a share, so that it comes to an end.
 constexpr double kEdgesPerStep = 10;
+constexpr double kShareOfWay = 0.125;
 constexpr double kTurnPerStep = 0.25;
 
 // Iterations of the wire that take about as long as a step of the body.
@@ -101,11 +102,12 @@ void BendRig::go_along(Part& part) {
 
 /// What the handles aim at in the next step. True: their targets.
 bool BendRig::advance(Part& part) {
-  double const most_px = kEdgesPerStep * part.part->mesh().edge_px;
+  double const least_px = kEdgesPerStep * part.part->mesh().edge_px;
   bool has_arrived = true;
   for (auto& handle : part.handles) {
     auto const way = handle.target - handle.staged;
     double const far = norm(way);
+    double const most_px = std::max(least_px, kShareOfWay * far);
     bool const is_near = far <= most_px;
     handle.staged = is_near ? handle.target : handle.staged + way * (most_px / far);
     has_arrived = has_arrived && is_near;

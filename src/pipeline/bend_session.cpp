@@ -2,7 +2,6 @@
 #include "pipeline/bend_session.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "document/apply.h"
@@ -98,7 +97,9 @@ std::optional<Error> BendSession::grab(Document const& document, BendGrab const&
 
 void BendSession::drag(Vec2 target, std::optional<double> turn_rad) {
   auto& inside = *inside_;
-  bool const is_number = is_finite(target) && std::isfinite(turn_rad.value_or(0));
+  bool const is_number =
+      is_finite(target) &&
+      is_within(turn_rad.value_or(0), -DocumentLimits::kBendTurnRad, DocumentLimits::kBendTurnRad);
   if (!inside.rig || !is_number) return;
   inside.rig->move(0, inside.handle, on_sheet(target + inside.from_place), turn_rad);
   inside.rig->step(kStepsOfDrag);

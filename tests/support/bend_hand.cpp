@@ -61,6 +61,7 @@ void BendHand::set_pins(LayerId layer, std::vector<BendPin> pins) {
 }
 
 void BendHand::apply_all(std::vector<Command> const& commands) {
+  if (commands.empty()) return;
   auto const result = inkflate::apply(document, commands);
   ASSERT_TRUE(result.has_value()) << result.error().message;
   document = *result;
