@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // segment_sketch IN.svg OUT.png: what the strokes of a drawing enclose or nearly enclose, white on black, by the thesis' minimum
-// cut on pixels (eq. 3.4).
+// cut on pixels (section 3.2, eq. 3.4).
+#include "image/morphology.h"
 #include "image/rasterise_line.h"
 #include "io/write_png.h"
 #include "pipeline/place_sketch.h"
@@ -28,7 +29,8 @@ int main(int count, char** arguments) {
   if (!drawn) return fail(drawn.error().message);
   auto const sketch = place_sketch(*drawn, {kCanvasPx, PlaceMode::FitStrokes});
   if (!sketch) return fail(sketch.error().message);
-  auto const mask = cut_grid(ink_of(*sketch), GridWeights{});
+  // Lines that stick out go.
+  auto const mask = dilate_3x3(erode_3x3(cut_grid(ink_of(*sketch), GridWeights{})));
   if (!write_bytes(arguments[2], write_png(mask))) return fail("The picture cannot be written.");
   return 0;
 }

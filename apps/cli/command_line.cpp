@@ -59,10 +59,10 @@ ExitStatus run_command_line(std::vector<std::string> const& words) {
   program.set_version_flag("--version", kVersion, "Print the version");
   program.require_subcommand(1);
   program.failure_message(CLI::FailureMessage::simple);
-  std::vector<Verb> const verbs = {declare_simplify(program), declare_inflate(program),
-                                   declare_render(program),   declare_check(program),
-                                   declare_convert(program),  declare_info(program),
-                                   declare_hash(program),     declare_replay(program)};
+  std::vector<Verb> const verbs = {
+      declare_simplify(program), declare_deform(program), declare_inflate(program),
+      declare_render(program),   declare_check(program),  declare_convert(program),
+      declare_info(program),     declare_hash(program),   declare_replay(program)};
   try {
     program.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants it so
   } catch (CLI::ParseError const& failure) {

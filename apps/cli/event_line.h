@@ -19,7 +19,7 @@ struct StrokePoint {
   double pressure = 0.5;
 };
 
-/// Takes members out of one line of a recording. After the first one that is missing or wrong all that is taken is of no use, but
+/// Takes members out of one JSON object that a person wrote: a line of a recording, a pin. After the first one that is missing or wrong all that is taken is of no use, but
 /// harmless; the caller looks at fault() at the end.
 class EventLine {
  public:
@@ -56,7 +56,7 @@ class EventLine {
 
   void fail(std::string const& what);
 
-  /// Also fails on a member that nobody has taken: a recording with a slip of the pen would do something else than it says.
+  /// Also fails on a member that nobody has taken: what has a slip of the pen would do something else than it says.
   std::optional<std::string> fault() const;
 
  private:

@@ -32,6 +32,7 @@ struct Verb {
 
 /// One for each verb, in NAME_verb.cpp.
 Verb declare_simplify(CLI::App& program);
+Verb declare_deform(CLI::App& program);
 Verb declare_inflate(CLI::App& program);
 Verb declare_render(CLI::App& program);
 Verb declare_convert(CLI::App& program);

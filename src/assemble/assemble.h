@@ -22,9 +22,9 @@ struct AssembleOptions {
 
 /// Meshes every layer, decides which runs are open, and stitches the layers along them.
 ///
-/// in      drawing: its layers have outlines of finite points
+/// in      drawing: its layers have outlines of finite points; they may cross themselves (untangle_rim.h)
 /// out     a model whose sheets form a closed 2-manifold (OpenRuns::Holes apart)
-/// errors  NothingThere (no layer, or all of them a single point); BadOption; BadInput (an outline crosses itself or is too thin to be
+/// errors  NothingThere (no layer, or all of them a single point); BadOption; BadInput (an outline encloses nothing or is too thin to be
 ///         meshed, a thickness out of range; index: the layer); Cancelled
 /// cost    O(n log n) in the number of vertices
 /// source  docs/algorithms/assemble.md

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/crossings.h"
+#include "geometry/largest_piece.h"
 #include "geometry/nonzero_boundary.h"
 
 namespace inkflate {

@@ -19,8 +19,9 @@ namespace inkflate {
 namespace {
 
 // Cuts of an outline are joined again where that moves nothing by more than this, or by this share of the shape's size if that is
-// less: too little to be seen.
+// less: too little to be seen. No less than what rounding does to places at 1e6 px.
 constexpr double kJoinPx = 0.02;
+constexpr double kLeastJoinPx = 1e-7;
 constexpr double kJoinShare = 1e-4;
 
 bool is_outline(Outline const& outline) { return !outline.pieces.empty(); }
@@ -84,7 +85,7 @@ struct Bender::Inside {
         places(meshed),
         solver(mode == BendMode::Wire ? Solver(WireSolver(meshed.mesh))
                                       : Solver(BodySolver(meshed.mesh))) {
-    join_px = std::min(kJoinPx, kJoinShare * box_of(rest).longer_side());
+    join_px = std::clamp(kJoinShare * box_of(rest).longer_side(), kLeastJoinPx, kJoinPx);
     for (int i = 0; i < std::ssize(rest.outlines); ++i)
       outlines.emplace_back(rest.outlines[i], meshed, i, places);
     for (int i = 0; i < std::ssize(rest.lines); ++i) add_line(i);

@@ -2,7 +2,7 @@
 #include "deform/body_mesh.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 #include "mesh/mesh_region.h"
 #include "mesh/rim_spacing.h"
@@ -18,8 +18,15 @@ constexpr double kFinePoints = 2;
 // Where a shape is thin, so many edges are as long as it is wide; edges become no shorter than this share of the longest.
 constexpr double kShareOfWidth = 0.5;
 constexpr double kShortestShare = 0.25;
-// Inside, in edges of the rim.
+// Inside, in edges of the rim. In wide shapes longer: so that there are about so many vertices inside; each stands for this share of
+// the square of an edge.
 constexpr double kLongestInside = 2;
+constexpr double kVerticesInside = 1000;
+constexpr double kAreaOfVertex = 0.87;
+// A mesh with a triangle smaller than this share of an edge's square is too thin for a solver.
+constexpr double kLeastArea = 1e-9;
+// No area is smaller: at 1e6 px doubles hold its triangles well.
+constexpr double kLeastSizePx = 0.01;
 // Where chords cross although the curves do not, half as far apart is tried, so many times.
 constexpr int kRefinements = 2;
 
@@ -70,6 +77,13 @@ std::vector<double> stiffness_of(RegionMesh const& region, double body) {
   return stiffness;
 }
 
+bool is_too_thin(FlatMesh const& mesh, double edge_px) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](Triangle const& t) {
+    Vec2 const a = mesh.points[t[0]];
+    return !(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a) > kLeastArea * edge_px * edge_px);
+  });
+}
+
 ShapeMesh shape_mesh(RegionMesh region, std::span<LineSamples const> rims,
                      std::span<int const> areas, double edge_px, double body) {
   ShapeMesh result;
@@ -90,13 +104,15 @@ std::optional<ShapeMesh> fill(std::span<LineSamples const> rims, double edge_px,
   auto areas = areas_among(rims);
   if (areas.empty() || areas.front() != 0) return {};
   MeshRegionOptions options;
-  options.longest_px = kLongestInside * edge_px;
+  double const area = std::abs(signed_area(rims.front().points));
+  options.longest_px =
+      std::max(kLongestInside * edge_px, std::sqrt(area / (kVerticesInside * kAreaOfVertex)));
   for (;;) {
     Region region;
     for (int const i : areas) region.contours.push_back(rims[i].points);
     auto meshed = mesh_region(region, options);
     if (meshed) {
-      if (meshed->mesh.triangles.empty()) return {};
+      if (meshed->mesh.triangles.empty() || is_too_thin(meshed->mesh, edge_px)) return {};
       return shape_mesh(std::move(*meshed), rims, areas, edge_px, body);
     }
     auto const culprit = meshed.error().index;
@@ -141,6 +157,7 @@ std::vector<LineSamples> sample_rims(std::span<Outline const> outlines, double e
 }
 
 std::optional<ShapeMesh> body_mesh(std::span<Outline const> outlines, double body) {
+  if (box_of(outlines).longer_side() < kLeastSizePx) return {};
   double const edge_px = rim_edge_px(outlines);
   auto const fine = fine_rims(outlines, edge_px);
   auto spacing = spacing_of(fine, edge_px);

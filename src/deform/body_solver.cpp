@@ -70,8 +70,9 @@ BendProgress BodySolver::step(BendPose& pose, BendHold const& hold, int steps) {
   inside_->freedom.set_hold(hold);
   BendProgress progress;
   for (int i = 0; i < steps && !progress.is_settled; ++i) {
-    inside_->freedom.shift_to_targets(pose);
+    double const shift_px = inside_->freedom.shift_to_targets(pose);
     progress = inside_->step_once(pose, handles, hold.is_fixed);
+    progress.largest_move_px = std::max(progress.largest_move_px, shift_px);
   }
   return progress;
 }

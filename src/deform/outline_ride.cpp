@@ -94,24 +94,30 @@ Cubic OutlineRide::bent_stretch(Stretch const& stretch, std::span<VertexMotion c
            shifted(rest[2], to.shift + to.change(rest[2] - rest[3])), shifted(rest[3], to.shift)}};
 }
 
-Outline OutlineRide::bent(RidePlaces const& places, std::span<VertexMotion const> motions,
-                          double tolerance_px) const {
+std::vector<OutlineRide::BentStretch> OutlineRide::bent_stretches(
+    RidePlaces const& places, std::span<VertexMotion const> motions) const {
   std::vector<VertexMotion> moved;
   for (auto const& cut : cuts_)
     moved.push_back({places.shift(motions, cut.place), places.change(motions, cut.place)});
-  // How far the bent stretch may be from all of its cuts. Halves stand behind the stretch that they are of.
-  std::vector<double> errors(stretches_.size(), 0);
-  std::vector<Cubic> curves(stretches_.size());
+  std::vector<BentStretch> bent(stretches_.size());
+  // Halves stand behind the stretch that they are of.
   for (int k = static_cast<int>(std::ssize(stretches_)) - 1; k >= 0; --k) {
     auto const& stretch = stretches_[k];
-    curves[k] = bent_stretch(stretch, moved);
+    bent[k].curve = bent_stretch(stretch, moved);
     if (stretch.halves < 0) continue;
-    int const first = stretch.halves;
-    auto const halves = split(curves[k], stretch.split);
-    errors[k] = std::max(errors[first], errors[first + 1]) +
-                std::max(largest_difference(halves.first, curves[first]),
-                         largest_difference(halves.second, curves[first + 1]));
+    auto const& first = bent[stretch.halves];
+    auto const& second = bent[stretch.halves + 1];
+    auto const halves = split(bent[k].curve, stretch.split);
+    bent[k].error_px = std::max(first.error_px, second.error_px) +
+                       std::max(largest_difference(halves.first, first.curve),
+                                largest_difference(halves.second, second.curve));
   }
+  return bent;
+}
+
+Outline OutlineRide::bent(RidePlaces const& places, std::span<VertexMotion const> motions,
+                          double tolerance_px) const {
+  auto const bent = bent_stretches(places, motions);
   Outline result;
   std::vector<int> kept;
   std::vector<int> open;
@@ -121,12 +127,12 @@ Outline OutlineRide::bent(RidePlaces const& places, std::span<VertexMotion const
       int const k = open.back();
       open.pop_back();
       int const halves = stretches_[k].halves;
-      if (halves >= 0 && errors[k] > tolerance_px) {
+      if (halves >= 0 && bent[k].error_px > tolerance_px) {
         open.push_back(halves + 1);
         open.push_back(halves);
         continue;
       }
-      result.pieces.push_back({curves[k], rest_.pieces[piece].kind});
+      result.pieces.push_back({bent[k].curve, rest_.pieces[piece].kind});
       kept.push_back(stretches_[k].from);
     }
   }

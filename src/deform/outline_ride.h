@@ -37,9 +37,16 @@ class OutlineRide {
     int place = 0;  // index into the places
   };
 
+  struct BentStretch {
+    Cubic curve;
+    double error_px = 0;  // how far it may be from all of its cuts
+  };
+
   void cut_piece(int piece, std::span<double const> cuts, RidePlaces& places);
   int add_place(double parameter, Vec2 place, RidePlaces& places) const;
   Cubic bent_stretch(Stretch const& stretch, std::span<VertexMotion const> moved) const;
+  std::vector<BentStretch> bent_stretches(RidePlaces const& places,
+                                          std::span<VertexMotion const> motions) const;
   void place_sources(std::span<int const> kept, std::vector<InkSource>& sources) const;
 
   Outline rest_;

@@ -12,11 +12,17 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// The shortest way known to a vertex: its last straight stretch starts at a corner that is this far away itself.
+/// Where the last straight stretch of a way starts.
+struct Corner {
+  Vec2 place;
+  double px = 0;  // of the way to there
+  Vec2 before;    // the corner before it; of the source itself
+};
+
+/// The shortest way known to a vertex.
 struct Way {
   double px = kFar;
-  Vec2 corner;
-  double corner_px = 0;
+  Corner last;
 };
 
 class WayFinder {
@@ -36,7 +42,7 @@ class WayFinder {
 
   std::vector<double> run(BendAnchor const& from) {
     Vec2 const source = place_of(mesh_, mesh_.points, from);
-    for (int const v : mesh_.triangles[from.triangle]) offer(v, source, 0);
+    for (int const v : mesh_.triangles[from.triangle]) offer(v, {source, 0, source});
     while (!queue_.empty()) {
       auto const [px, v] = queue_.top();
       queue_.pop();
@@ -49,10 +55,10 @@ class WayFinder {
   }
 
  private:
-  void offer(int v, Vec2 corner, double corner_px) {
-    double const px = corner_px + distance(corner, mesh_.points[v]);
+  void offer(int v, Corner const& corner) {
+    double const px = corner.px + distance(corner.place, mesh_.points[v]);
     if (!(px < ways_[v].px)) return;
-    ways_[v] = {px, corner, corner_px};
+    ways_[v] = {px, corner};
     queue_.push({px, v});
   }
 
@@ -60,22 +66,40 @@ class WayFinder {
   void widen(Triangle const& t, int v) {
     for (int k = 0; k < 3; ++k) {
       int const target = t[k];
-      int const other = t[(k + 1) % 3] == v ? t[(k + 2) % 3] : t[(k + 1) % 3];
       if (target == v) continue;
-      offer(target, mesh_.points[v], ways_[v].px);
+      int const other = t[(k + 1) % 3] == v ? t[(k + 2) % 3] : t[(k + 1) % 3];
+      offer(target, {mesh_.points[v], ways_[v].px, ways_[v].last.place});
       if (ways_[other].px == kFar) continue;
-      if (is_seen(ways_[v].corner, v, other, target))
-        offer(target, ways_[v].corner, ways_[v].corner_px);
-      if (is_seen(ways_[other].corner, v, other, target))
-        offer(target, ways_[other].corner, ways_[other].corner_px);
+      pass_on(v, other, target);
+      pass_on(other, v, target);
     }
+  }
+
+  /// The last corner of the way to a becomes that of the target behind the edge from a to b, if it sees it.
+  void pass_on(int a, int b, int target) {
+    auto const& corner = ways_[a].last;
+    auto const& beside = ways_[b].last;
+    if (!is_seen(corner.place, a, b, target)) return;
+    if (beside.place != corner.place && beside.before == corner.place) {
+      // The way to b turns around a corner: what lies on the other side of that than a is hidden.
+      Vec2 const shadow = beside.place - corner.place;
+      double const side_a = cross(shadow, mesh_.points[a] - corner.place);
+      double const side = cross(shadow, mesh_.points[target] - corner.place);
+      if (side_a * side < 0) return;
+    }
+    offer(target, corner);
   }
 
   /// Whether the straight way from a corner to the target goes through the edge between a and b, or along it.
   bool is_seen(Vec2 corner, int a, int b, int target) const {
-    Vec2 const to = mesh_.points[target] - corner;
-    double const side_a = cross(to, mesh_.points[a] - corner);
-    double const side_b = cross(to, mesh_.points[b] - corner);
+    Vec2 const start = mesh_.points[a];
+    Vec2 const end = mesh_.points[b];
+    Vec2 const goal = mesh_.points[target];
+    double const corner_side = cross(end - start, corner - start);
+    double const goal_side = cross(end - start, goal - start);
+    if (corner_side * goal_side > 0) return false;
+    double const side_a = cross(goal - corner, start - corner);
+    double const side_b = cross(goal - corner, end - corner);
     return (side_a >= 0 && side_b <= 0) || (side_a <= 0 && side_b >= 0);
   }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.h"
+
 namespace inkflate {
 namespace {
 
@@ -27,6 +29,15 @@ double share_along(Vec2 p, Vec2 a, Vec2 b) {
 
 RidePlaces::RidePlaces(ShapeMesh const& shape) : shape_(&shape), triangles_(shape.mesh.rest) {
   for (auto const& line : shape.mesh.lines) add_line_points(line);
+  CHECK(!line_points_.empty(), "a mesh to ride on has lines");
+  std::vector<Vec2> points;
+  for (auto const& own : line_points_) {
+    points.push_back(own.place);
+    longest_edge_px_ =
+        std::max(longest_edge_px_, distance(own.place, shape.mesh.rest.points[own.next]));
+  }
+  box_ = bounds(points);
+  grid_.emplace(points, kOwnReach * shape.mesh.edge_px);
 }
 
 void RidePlaces::add_line_points(BendLine const& line) {
@@ -110,37 +121,57 @@ void RidePlaces::add_edge(int from, int to, Vec2 place, double weight) {
   terms_.push_back({to, weight * end, weight * (-s * t * t * (b - a) + t * aside), weight * t});
 }
 
+template <typename Visit>
+void RidePlaces::visit_near(Vec2 place, double radius, Visit visit) const {
+  // Beyond the grid its buckets tell nothing.
+  if (radius > box_.longer_side() || !contains(box_.grown(box_.longer_side()), place)) {
+    for (auto const& own : line_points_) visit(own);
+  } else {
+    grid_->near(place, radius, [&](int i) { visit(line_points_[i]); });
+  }
+}
+
+double RidePlaces::nearest_point_px(Vec2 place) const {
+  for (double radius = kOwnReach * shape_->mesh.edge_px;; radius *= 2) {
+    double nearest = std::numeric_limits<double>::infinity();
+    visit_near(place, radius, [&](LinePoint const& own) {
+      nearest = std::min(nearest, squared_norm(own.place - place));
+    });
+    if (nearest <= radius * radius || radius > box_.longer_side()) return std::sqrt(nearest);
+  }
+}
+
 void RidePlaces::add_near(Vec2 place) {
   auto const& points = shape_->mesh.rest.points;
+  double const nearest_px = nearest_point_px(place);
   double nearest_edge = std::numeric_limits<double>::infinity();
-  double nearest_point = nearest_edge;
   LinePoint const* edge = nullptr;
-  for (auto const& own : line_points_) {
-    nearest_point = std::min(nearest_point, squared_norm(own.place - place));
+  auto const try_edge = [&](LinePoint const& own) {
     double const away = squared_distance_to_segment(place, own.place, points[own.next]);
-    if (!(away < nearest_edge)) continue;
+    if (!(away < nearest_edge)) return;
     nearest_edge = away;
     edge = &own;
-  }
-  if (edge == nullptr) return;
+  };
+  // Whatever is nearer than the nearest point has an end this near.
+  visit_near(place, nearest_px + longest_edge_px_, try_edge);
   double const reach = kOwnReach * shape_->mesh.edge_px;
   double const around = smoothstep(std::min(1.0, std::sqrt(nearest_edge) / reach));
   if (around < 1) add_edge(edge->vertex, edge->next, place, 1 - around);
-  if (around > 0) add_around(place, std::sqrt(nearest_point), around);
+  if (around > 0) add_around(place, nearest_px, around);
 }
 
 void RidePlaces::add_around(Vec2 place, double nearest_px, double weight) {
   double const reach = kNearFactor * nearest_px + kNearEdges * shape_->mesh.edge_px;
   auto const first = terms_.size();
   double sum = 0;
-  for (auto const& own : line_points_) {
+  visit_near(place, reach, [&](LinePoint const& own) {
     double const away = distance(own.place, place);
-    if (!(away < reach)) continue;
+    if (!(away < reach)) return;
     double const fade = (1 - away / reach) * (nearest_px / away);
     double const share = own.length_px * fade * fade;
     terms_.push_back({own.vertex, share, place - own.place, share});
     sum += share;
-  }
+  });
   for (auto k = first; k < terms_.size(); ++k) {
     auto& term = terms_[k];
     double const share = weight * term.share / sum;

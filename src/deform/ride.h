@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "deform/motion_field.h"
 #include "deform/shape_mesh.h"
-#include "geometry/polyline.h"
+#include "geometry/point_grid.h"
+#include "geometry/rect.h"
 #include "mesh/triangle_grid.h"
 
 namespace inkflate {
@@ -24,7 +26,7 @@ class RidePlaces {
   /// A place of the outline or line from which line `line` of the mesh was made, by its parameter there. Returns the place's index.
   int add_on_line(int line, double parameter, Vec2 place);
   /// A place anywhere: rides in its triangle or, outside of all, after the lines that are near. Returns its index.
-  /// cost    O(points of the mesh's lines) outside, O(1) inside
+  /// cost    O(1) inside and near a line, O(points of the mesh's lines) far away
   int add(Vec2 place);
 
   Vec2 rest(int index) const { return places_[index]; }
@@ -54,12 +56,19 @@ class RidePlaces {
   int finish(Vec2 place);
   void add_triangle(MeshPlace const& in);
   void add_edge(int from, int to, Vec2 place, double weight);
+  /// visit(LinePoint) for at least every point of the lines within radius.
+  template <typename Visit>
+  void visit_near(Vec2 place, double radius, Visit visit) const;
+  double nearest_point_px(Vec2 place) const;
   void add_near(Vec2 place);
   void add_around(Vec2 place, double nearest_px, double weight);
 
   ShapeMesh const* shape_;
   TriangleGrid triangles_;
   std::vector<LinePoint> line_points_;
+  double longest_edge_px_ = 0;  // of the lines
+  Rect box_;                    // of their points
+  std::optional<PointGrid> grid_;
   std::vector<Vec2> places_;
   std::vector<int> starts_ = {0};  // per place, into terms_
   std::vector<Term> terms_;

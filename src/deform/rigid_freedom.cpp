@@ -71,7 +71,6 @@ void RigidFreedom::set_hold(BendHold const& hold) {
   for (auto& piece : pieces_) {
     piece.freedom = Freedom::All;
     piece.handle_count = 0;
-    piece.target = {};
   }
   for (auto const& handle : hold.handles) {
     int const index = piece_of_[mesh_->rest.triangles[handle.anchor.triangle][0]];
@@ -79,10 +78,7 @@ void RigidFreedom::set_hold(BendHold const& hold) {
     hold_at(index, handle.anchor);
     if (handle.turn_rad) piece.freedom = Freedom::None;
     ++piece.handle_count;
-    piece.target += handle.target;
-  }
-  for (auto& piece : pieces_) {
-    if (piece.handle_count > 0) piece.target = piece.target / piece.handle_count;
+    piece.target = handle.target;
   }
   for (int v = 0; v < std::ssize(hold.is_fixed); ++v) {
     if (!hold.is_fixed[v]) continue;
@@ -91,29 +87,28 @@ void RigidFreedom::set_hold(BendHold const& hold) {
   }
 }
 
-void RigidFreedom::shift_to_targets(BendPose& pose) const {
+double RigidFreedom::shift_to_targets(BendPose& pose) const {
+  double largest_px = 0;
   for (auto const& piece : pieces_) {
-    if (piece.freedom != Freedom::Turn || piece.handle_count == 0) continue;
+    if (piece.freedom != Freedom::Turn || piece.handle_count != 1) continue;
     Vec2 const shift = piece.target - place_of(mesh_->rest, pose, piece.centre);
     if (norm(shift) < kLeastShiftPx) continue;
     for (int const v : piece.vertices) pose[v] += shift;
+    largest_px = std::max(largest_px, norm(shift));
   }
+  return largest_px;
 }
 
 void RigidFreedom::remove_from(std::span<Vec2> moves, std::span<Vec2 const> pose) const {
   for (auto const& piece : pieces_) {
     if (piece.freedom == Freedom::None) continue;
-    Vec2 centre;
-    Vec2 shift;
-    if (piece.freedom == Freedom::All) {
-      for (int const v : piece.vertices) {
-        centre += pose[v];
-        shift += moves[v];
-      }
-      centre = centre / static_cast<double>(piece.vertices.size());
-      shift = shift / static_cast<double>(piece.vertices.size());
-    } else {
-      centre = place_of(mesh_->rest, pose, piece.centre);
+    bool const is_held = piece.freedom == Freedom::Turn;
+    Vec2 centre = is_held ? place_of(mesh_->rest, pose, piece.centre) : Vec2{};
+    Vec2 shift = is_held ? place_of(mesh_->rest, moves, piece.centre) : Vec2{};
+    double const share = is_held ? 0 : 1 / static_cast<double>(piece.vertices.size());
+    for (int const v : piece.vertices) {
+      centre += pose[v] * share;
+      shift += moves[v] * share;
     }
     double turn = 0;
     double inertia = 0;
@@ -123,8 +118,9 @@ void RigidFreedom::remove_from(std::span<Vec2> moves, std::span<Vec2 const> pose
       inertia += squared_norm(arm);
     }
     double const angle = inertia > 0 ? turn / inertia : 0;
+    Vec2 const free_shift = is_held ? Vec2{} : shift;
     for (int const v : piece.vertices) {
-      moves[v] -= shift + perpendicular(pose[v] - centre) * angle;
+      moves[v] -= free_shift + perpendicular(pose[v] - centre) * angle;
     }
   }
 }

@@ -18,8 +18,9 @@ class RigidFreedom {
   /// To be told before the others, and again when anything of the hold changes.
   void set_hold(BendHold const& hold);
 
-  /// Shifts each piece that is held by a handle at a single place so that this place is at its target: an exact translation.
-  void shift_to_targets(BendPose& pose) const;
+  /// Shifts each piece that nothing but a single handle holds so that it is at its target: an exact translation.
+  /// out     by how many px, at most
+  double shift_to_targets(BendPose& pose) const;
 
   /// Takes from the moves what only moves or turns a piece that nothing keeps from it.
   void remove_from(std::span<Vec2> moves, std::span<Vec2 const> pose) const;
@@ -31,7 +32,7 @@ class RigidFreedom {
     Freedom freedom = Freedom::All;
     BendAnchor centre;     // while Turn: what it can be turned about
     int handle_count = 0;  // while Turn
-    Vec2 target;           // mean of the handles'
+    Vec2 target;           // of the single handle
   };
 
   void hold_at(int piece, BendAnchor const& anchor);

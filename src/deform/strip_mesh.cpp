@@ -14,8 +14,12 @@ constexpr double kMostSpineEdges = 199;
 constexpr double kSharpCosine = 0.5;
 // How much of an edge the side of a bend may take away at each of its ends.
 constexpr double kShareOfEdge = 0.25;
-// Of the half width: a line shorter than this is a dot.
-constexpr double kDotShare = 1e-3;
+// A strip is no wider than this many of its edges: with the bounds above all its triangles are positive up to 1.3.
+constexpr double kHalfWidthEdges = 1.25;
+// No strip is narrower: at 1e6 px doubles hold its triangles well.
+constexpr double kLeastHalfWidthPx = 1e-3;
+// Of the half width: a line shorter than this is a dot, and points of a spine that are closer are one.
+constexpr double kDotShare = 0.01;
 
 /// The two sides of a spine: towards perpendicular(edge), and away from it.
 enum Side : int { Right = 0, Left = 1 };
@@ -64,13 +68,14 @@ class StripMaker {
     Vec2 const in = tangents_[before];
     Vec2 const out = tangents_[after];
     double const cosine = dot(in, out);
-    double width = std::min({half_width_px_, lengths_[before], lengths_[after]});
+    double const shorter = std::min(lengths_[before], lengths_[after]);
+    double width = std::min(half_width_px_, kHalfWidthEdges * shorter);
     if (cosine < kSharpCosine) {
       add_corner(v, in, out, width);
       return;
     }
     double const half_sine = std::sqrt(std::max(0.0, (1 - cosine) / 2));
-    double const room = kShareOfEdge * std::min(lengths_[before], lengths_[after]);
+    double const room = kShareOfEdge * shorter;
     if (width * half_sine > room) width = room / half_sine;
     Vec2 const across = perpendicular(normalized(in + out));
     int const right = add_point(v, across, width);
@@ -148,18 +153,37 @@ bool is_line(LineSamples const& line, double half_width_px) {
   return line.points.size() >= 2 && length_of(line) > kDotShare * half_width_px;
 }
 
-/// The line by points as far apart as a spine needs them; nothing if too few are left.
+/// Without points that come back to where the one before was.
+LineSamples without_returns(LineSamples const& line, double least_px) {
+  LineSamples result;
+  for (std::size_t k = 0; k < line.points.size(); ++k) {
+    auto const& points = result.points;
+    if (!points.empty() && !(distance(points.back(), line.points[k]) > least_px)) continue;
+    result.points.push_back(line.points[k]);
+    result.parameters.push_back(line.parameters[k]);
+  }
+  if (line.is_closed && result.points.size() > 1 &&
+      !(distance(result.points.front(), result.points.back()) > least_px)) {
+    result.points.pop_back();
+    result.parameters.pop_back();
+  }
+  result.is_closed = line.is_closed && result.points.size() >= 3;
+  return result;
+}
+
+/// The line by points as far apart as a spine needs them; fewer than two where it is a dot.
 LineSamples spine_of(LineSamples const& line, double half_width_px) {
+  if (!is_line(line, half_width_px)) return {};
   std::vector<double> const spacing(line.points.size(),
                                     spine_edge_px(length_of(line), half_width_px));
-  if (line.is_closed && line.points.size() < 3) return line;
-  return thinned(line, spacing);
+  bool const is_thinnable = !line.is_closed || line.points.size() >= 3;
+  return without_returns(is_thinnable ? thinned(line, spacing) : line, kDotShare * half_width_px);
 }
 
 }  // namespace
 
 double strip_half_width_px(double longer_side_px) {
-  return longer_side_px > 0 ? kHalfWidthShare * longer_side_px : 1;
+  return longer_side_px > 0 ? std::max(kHalfWidthShare * longer_side_px, kLeastHalfWidthPx) : 1;
 }
 
 double spine_edge_px(double length_px, double half_width_px) {
@@ -190,10 +214,8 @@ ShapeMesh strip_mesh(std::span<LineSamples const> lines, double half_width_px) {
   ShapeMesh shape;
   shape.mesh.edge_px = half_width_px;
   for (int i = 0; i < std::ssize(lines); ++i) {
-    if (!is_line(lines[i], half_width_px)) continue;
-    auto spine = spine_of(lines[i], half_width_px);
-    if (spine.points.size() < 3) spine.is_closed = false;
-    add_strip(shape, spine, i, half_width_px);
+    auto const spine = spine_of(lines[i], half_width_px);
+    if (spine.points.size() >= 2) add_strip(shape, spine, i, half_width_px);
   }
   if (!shape.mesh.lines.empty()) return shape;
   for (int i = 0; i < std::ssize(lines); ++i) {

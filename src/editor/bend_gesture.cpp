@@ -31,20 +31,18 @@ bool grab(EditorTurn& turn, BendGrab const& what) {
   return !error;
 }
 
-/// What has been bent so far becomes the gesture. False: nothing has, or the document cannot hold it.
-bool take_bend(EditorTurn& turn) {
+/// What has been bent so far becomes the gesture.
+/// errors  of apply; NothingThere (nothing has moved)
+std::optional<Error> take_bend(EditorTurn& turn) {
   auto& state = turn.state;
   auto commands = state.bend.commands();
   turn.changes.is_scene_changed = true;
   state.gesture.reset();
-  if (commands.empty()) return false;
+  if (commands.empty()) return Error{ErrorCode::NothingThere, "nothing has moved"};
   auto next = inkflate::apply(state.history.document(), commands);
-  if (!next) {
-    if (next.error().code != ErrorCode::NothingThere) say(turn, next.error());
-    return false;
-  }
+  if (!next) return next.error();
   state.gesture = Gesture{std::move(commands), std::move(*next)};
-  return true;
+  return std::nullopt;
 }
 
 /// Tells the session where the hand is, if it does not know.
@@ -84,9 +82,10 @@ void finish_bend(EditorTurn& turn) {
   if (!state.bend.is_holding()) return;
   follow_hand(state);
   state.bend.finish();
-  bool const is_bent = take_bend(turn);
+  auto const error = take_bend(turn);
+  if (error && error->code != ErrorCode::NothingThere) say(turn, *error);
   end_gesture(turn, kLabel);
-  state.bend.release(is_bent ? &state.history.document() : nullptr);
+  state.bend.release(error ? nullptr : &state.history.document());
 }
 
 void drop_bend(EditorState& state) {

@@ -17,12 +17,12 @@ constexpr double kTurnStepRad = kPi / 12;
 
 Document const& document_of(EditorState const& state) { return state.history.document(); }
 
-/// The part whose pins are meant: of the selected pin, or the one that is selected. Null: there is none.
+/// The part whose pins are meant: the one that is selected, or that of the selected pin. Null: there is none.
 DocumentLayer const* pinned_layer(EditorState const& state) {
   auto const& view = state.view;
-  if (view.pin) return find_layer(document_of(state), view.pin->layer);
   auto const layers = pickable(document_of(state), view.selection);
-  return layers.size() == 1 ? find_layer(document_of(state), layers[0]) : nullptr;
+  if (layers.size() == 1) return find_layer(document_of(state), layers[0]);
+  return view.pin ? find_layer(document_of(state), view.pin->layer) : nullptr;
 }
 
 /// Pins are seen and held with the Deform tool alone.

@@ -22,8 +22,8 @@ constexpr double kFarthestUnits = 1'125'899'906'842'624;  // 2^50
 constexpr int kLattices = 3;
 // A corner that gets a bridge has points beside it at most at this share of its edges.
 constexpr double kBesideCorner = 0.25;
-// A bridge that comes into the way of another line is halved; after so often it is a point of the lattice.
-constexpr int kHalvings = 24;
+// Where bridges come into the way of other lines, all are made a quarter as large; after so often they are a few points of the lattice.
+constexpr int kTries = 8;
 
 /// Whole points instead of places; both ways exact for points of the lattice.
 class Lattice {
@@ -62,7 +62,7 @@ std::vector<LatticeEdge> lattice_edges(std::span<TaggedContour const> contours,
   return edges;
 }
 
-/// Points with places that they stand at in a circle.
+/// An index into a circle of so many points.
 std::size_t wrapped(std::ptrdiff_t index, std::size_t count) {
   auto const n = static_cast<std::ptrdiff_t>(count);
   return static_cast<std::size_t>((index % n + n) % n);
@@ -139,7 +139,7 @@ bool are_apart(std::span<TaggedContour const> contours) {
 /// None: some still touch.
 std::optional<std::vector<TaggedContour>> joined(std::vector<BoundaryChain> const& chains,
                                                  double reach) {
-  for (int i = 0; i < kHalvings; ++i, reach = std::max(reach / 2, kFiner * kBesideCorner)) {
+  for (int i = 0; i < kTries; ++i, reach = std::max(reach / 4, kFiner * kBesideCorner)) {
     std::vector<TaggedContour> contours;
     for (auto const& chain : chains) {
       contours.push_back(with_bridges(with_room(chain, reach), reach));
@@ -162,8 +162,6 @@ std::optional<std::vector<TaggedContour>> boundary_on(Lattice const& lattice,
   return boundary;
 }
 
-bool is_hole(TaggedContour const& contour) { return signed_area(contour.points) < 0; }
-
 }  // namespace
 
 std::optional<std::vector<TaggedContour>> nonzero_boundary(std::span<TaggedContour const> contours,
@@ -178,27 +176,6 @@ std::optional<std::vector<TaggedContour>> nonzero_boundary(std::span<TaggedConto
     }
   }
   return std::nullopt;
-}
-
-std::vector<TaggedContour> largest_piece(std::vector<TaggedContour> boundary) {
-  std::vector<std::size_t> outers;
-  for (std::size_t i = 0; i < boundary.size(); ++i) {
-    if (!is_hole(boundary[i])) outers.push_back(i);
-  }
-  if (outers.empty()) return {};
-  std::stable_sort(outers.begin(), outers.end(), [&](std::size_t a, std::size_t b) {
-    return signed_area(boundary[a].points) > signed_area(boundary[b].points);
-  });
-  std::vector<TaggedContour> piece = {boundary[outers[0]]};
-  for (auto const& contour : boundary) {
-    if (!is_hole(contour)) continue;
-    // The smallest contour around a hole is the one that has it.
-    auto const around = std::find_if(outers.rbegin(), outers.rend(), [&](std::size_t outer) {
-      return contains(boundary[outer].points, contour.points.front());
-    });
-    if (around != outers.rend() && *around == outers[0]) piece.push_back(contour);
-  }
-  return piece;
 }
 
 }  // namespace inkflate

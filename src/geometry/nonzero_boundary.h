@@ -27,10 +27,4 @@ struct TaggedContour {
 std::optional<std::vector<TaggedContour>> nonzero_boundary(std::span<TaggedContour const> contours,
                                                            double bridge_px);
 
-/// The largest piece of an area: its outer contour, then its holes. Empty where there is none.
-///
-/// in      boundary: as of nonzero_boundary
-/// cost    O(n * contours)
-std::vector<TaggedContour> largest_piece(std::vector<TaggedContour> boundary);
-
 }  // namespace inkflate

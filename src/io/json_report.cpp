@@ -21,15 +21,15 @@ Json point_json(Vec3 point) {
   return Json::array({rounded(point.x), rounded(point.y), rounded(point.z)});
 }
 
-Json contour_json(Outline const& outline) {
+// The sign of the area does not tell a hole where an outline crosses itself.
+Json contour_json(Outline const& outline, bool is_hole) {
   auto const contour = flatten(outline, kTolerancePx);
-  double const area = signed_area(contour);
   Json points = Json::array();
   for (auto const point : contour) points.push_back(point_json(point));
   Json json;
-  json["hole"] = area < 0;
+  json["hole"] = is_hole;
   json["closed"] = true;
-  json["area"] = rounded(std::abs(area));
+  json["area"] = rounded(std::abs(signed_area(contour)));
   json["perimeter"] = rounded(perimeter(contour));
   json["points"] = std::move(points);
   return json;
@@ -37,7 +37,9 @@ Json contour_json(Outline const& outline) {
 
 Json layer_json(Layer const& layer) {
   Json contours = Json::array();
-  for (auto const& outline : layer.outlines) contours.push_back(contour_json(outline));
+  for (auto const& outline : layer.outlines) {
+    contours.push_back(contour_json(outline, !contours.empty()));
+  }
   Json json;
   json["name"] = layer.name;
   json["strokes"] = layer.strokes.size();
@@ -114,6 +116,26 @@ std::string json_report(TriMesh const& mesh, MeshCheck const& check, ModelFacts 
   json["bounding_box"]["min"] = point_json(check.min);
   json["bounding_box"]["max"] = point_json(check.max);
   json["ok"] = check.is_sound();
+  json["ms"] = times_json(stages);
+  return text_of(json);
+}
+
+std::string json_report(BendFacts const& facts, std::span<StageTime const> stages) {
+  Json pins = Json::array();
+  for (auto const& pin : facts.pins) {
+    Json json;
+    json["part"] = pin.part;
+    json["from"] = point_json(pin.from);
+    json["to"] = point_json(pin.to);
+    json["ended"] = point_json(pin.ended);
+    json["off"] = rounded(distance(pin.ended, pin.to));
+    pins.push_back(std::move(json));
+  }
+  Json json;
+  json["parts"] = facts.parts;
+  json["pins"] = std::move(pins);
+  json["steps"] = facts.steps;
+  json["settled"] = facts.is_settled;
   json["ms"] = times_json(stages);
   return text_of(json);
 }

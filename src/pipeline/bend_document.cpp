@@ -79,9 +79,8 @@ bool is_cancelled(Progress const& progress) {
 
 }  // namespace
 
-Result<std::vector<Command>> bend_document(Document const& document,
-                                           std::vector<BendMove> const& moves,
-                                           BendOptions const& options, Progress const& progress) {
+Result<BentDocument> bend_document(Document const& document, std::vector<BendMove> const& moves,
+                                   BendOptions const& options, Progress const& progress) {
   if (moves.empty()) return Error{ErrorCode::NothingThere, "no place to move"};
   if (!progress.enter("bend")) return cancelled();
   for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -95,20 +94,28 @@ Result<std::vector<Command>> bend_document(Document const& document,
   auto const roots = roots_of(document, moves, moved, rests, options);
   if (!roots) return roots.error();
   auto rig = rests.rig(document, *roots, options);
+  std::vector<int> handles;
   for (std::size_t i = 0; i < moves.size(); ++i) {
     int const root = moved.of_move[i];
     auto const& move = moves[i];
     int const handle = handle_of(move, root, *(*roots)[static_cast<std::size_t>(root)].part, rig);
+    handles.push_back(handle);
     rig.move(root, handle, rig.start(root, handle) + (move.to - move.from), move.turn_rad);
   }
+  BentDocument bent;
   for (int i = 0; i < kMostRounds && !rig.is_settled(); ++i) {
     if (is_cancelled(progress)) return cancelled();
     rig.step(kStepsOfRound);
+    bent.steps += kStepsOfRound;
   }
+  bent.is_settled = rig.is_settled();
   rig.snap();
-  auto commands = rig.commands();
-  if (commands.empty()) return Error{ErrorCode::NothingThere, "nothing moves"};
-  return commands;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    bent.ends.push_back(rig.end(moved.of_move[i], handles[i]));
+  }
+  bent.commands = rig.commands();
+  if (bent.commands.empty()) return Error{ErrorCode::NothingThere, "nothing moves"};
+  return bent;
 }
 
 }  // namespace inkflate

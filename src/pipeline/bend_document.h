@@ -20,15 +20,20 @@ struct BendMove {
   std::optional<double> turn_rad = {};  // the line around it is turned by this
 };
 
+/// What bend_document makes.
+struct BentDocument {
+  std::vector<Command> commands;  // one Bend, and SetBendPins for pins that have moved
+  std::vector<Vec2> ends;         // of each move: where the place that it holds has come to
+  int steps = 0;                  // of the solver, at most
+  bool is_settled = false;        // nothing would move any more
+};
+
 /// Bends parts of a document by all of these at once, from what it is at rest, until nothing moves any more. Layers that join those that
 /// move follow by their mouths; pins that a layer has hold it too.
 ///
-/// out     one Bend command, and SetBendPins for pins that have moved
 /// errors  BadInput (no such layer, locked, a number that is not finite or too large: index: the move), NothingThere (no move, or
 ///         nothing moves), BadOption, Cancelled
-Result<std::vector<Command>> bend_document(Document const& document,
-                                           std::vector<BendMove> const& moves,
-                                           BendOptions const& options = {},
-                                           Progress const& progress = {});
+Result<BentDocument> bend_document(Document const& document, std::vector<BendMove> const& moves,
+                                   BendOptions const& options = {}, Progress const& progress = {});
 
 }  // namespace inkflate

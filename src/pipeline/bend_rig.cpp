@@ -121,6 +121,11 @@ Vec2 BendRig::start(int root, int handle) const {
   return parts_[roots_[root]].handles[handle].start;
 }
 
+Vec2 BendRig::end(int root, int handle) const {
+  auto const& part = parts_[roots_[root]];
+  return place_of(part.part->mesh().rest, part.pose, part.handles[handle].anchor);
+}
+
 void BendRig::move(int root, int handle, Vec2 target, std::optional<double> turn_rad) {
   auto& part = parts_[roots_[root]];
   auto& held = part.handles[handle];

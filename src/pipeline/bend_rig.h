@@ -31,6 +31,8 @@ class BendRig {
   void fix(std::vector<char> fixed);
   /// Where a handle is held before it moves.
   Vec2 start(int root, int handle) const;
+  /// Where the place that it holds lies now.
+  Vec2 end(int root, int handle) const;
   /// Where it shall go; turn_rad: the shape around it, from how it was at the start.
   void move(int root, int handle, Vec2 target, std::optional<double> turn_rad);
 

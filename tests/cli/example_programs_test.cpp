@@ -41,8 +41,8 @@ TEST(ExamplePrograms, BendStripDrawsBeforeAndAfter) {
     auto const run = run_example("bend_strip", folder, arguments);
     ASSERT_EQ(run.status, 0) << run.err;
     auto const picture = picture_in(folder, "strip.png");
-    EXPECT_GT(share_of(picture, {190, 190, 190}), 0.0005);
-    EXPECT_GT(share_of(picture, {20, 20, 20}), 0.0005);
+    EXPECT_GT(share_of(picture, {190, 190, 190}), 0.0001);
+    EXPECT_GT(share_of(picture, {20, 20, 20}), 0.0001);
     EXPECT_GT(share_of(picture, {220, 40, 30}), 0.0001);
   }
 }

@@ -45,10 +45,13 @@ TEST(BodySolver, ASingleHandleShiftsItsPieceWithoutTurningIt) {
   auto pose = mesh.rest.points;
   Vec2 const by = {155, -40};
   std::vector<BendHandle> const one = {handle(mesh, anchor_near(mesh, {900, 230}), by)};
-  EXPECT_TRUE(solver.step(pose, {one, {}}, 1).is_settled);
+  auto const progress = solver.step(pose, {one, {}}, 1);
+  EXPECT_TRUE(progress.is_settled);
+  EXPECT_NEAR(progress.largest_move_px, norm(by), 1e-9);
   for (std::size_t v = 0; v < pose.size(); ++v) {
     EXPECT_LT(distance(pose[v], mesh.rest.points[v] + by), 1e-9);
   }
+  EXPECT_EQ(solver.step(pose, {one, {}}, 1).largest_move_px, 0);
 }
 
 TEST(BodySolver, SeveralHandlesAtOnePlaceShiftItsPieceToTheirMean) {
@@ -62,6 +65,22 @@ TEST(BodySolver, SeveralHandlesAtOnePlaceShiftItsPieceToTheirMean) {
   for (std::size_t v = 0; v < pose.size(); ++v) {
     EXPECT_LT(distance(pose[v], mesh.rest.points[v] + Vec2{10, 20}), 1e-9);
   }
+}
+
+TEST(BodySolver, HandlesAtOnePlaceThatDisagreeByFarComeToRest) {
+  auto const mesh = figure_mesh(100);
+  BodySolver solver(mesh);
+  auto pose = mesh.rest.points;
+  auto const hand = anchor_near(mesh, {900, 230});
+  std::vector<BendHandle> const three = {handle(mesh, hand), handle(mesh, hand),
+                                         handle(mesh, hand, {1e6, 0})};
+  double before = solver.energy(pose, {three, {}});
+  for (int i = 0; i < 10; ++i) {
+    auto const progress = solver.step(pose, {three, {}}, 1);
+    EXPECT_LE(progress.energy, before * (1 + 1e-11));
+    before = progress.energy;
+  }
+  EXPECT_TRUE(solver.step(pose, {three, {}}, 1).is_settled);
 }
 
 TEST(BodySolver, FixedVerticesStayToTheLastBit) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rng.h"
 #include "deform/wire_edges.h"
 #include "deform/wire_strip.h"
 #include "geometry/trig.h"
@@ -352,6 +353,48 @@ TEST(WireSolver, BearsAnythingThatIsALine) {
       auto const progress = solver.step(pose, {std::span(handles).first(count), {}}, 10);
       EXPECT_TRUE(std::isfinite(progress.energy));
       for (auto const p : pose) EXPECT_TRUE(is_finite(p));
+    }
+  }
+}
+
+/// Points on a coarse lattice: many coincide, lines turn back on themselves.
+std::vector<Contour> random_contours(Rng& rng) {
+  std::vector<Contour> contours(static_cast<std::size_t>(1 + rng.below(3)));
+  for (auto& contour : contours) {
+    int const count = 2 + rng.below(12);
+    for (int i = 0; i < count; ++i) contour.push_back({20.0 * rng.below(6), 20.0 * rng.below(6)});
+  }
+  return contours;
+}
+
+BendHandle random_handle(BendMesh const& mesh, Rng& rng) {
+  double const a = rng.uniform(-0.2, 1);
+  double const b = rng.uniform(0, 1 - a);
+  BendHandle handle = {
+      {rng.below(static_cast<int>(std::ssize(mesh.rest.triangles))), {a, b, 1 - a - b}},
+      {rng.uniform(-300, 400), rng.uniform(-300, 400)}};
+  if (rng.below(4) == 0) handle.turn_rad = rng.uniform(-4, 4);
+  return handle;
+}
+
+TEST(WireSolver, BearsAnyLineHeldAnyhowAndMeetsTheLastHandle) {
+  Rng rng(7);
+  for (int round = 0; round < 300; ++round) {
+    auto const mesh = wire_strip(random_contours(rng), rng.uniform(0, 30));
+    WireSolver solver(mesh);
+    auto pose = mesh.rest.points;
+    std::vector<BendHandle> handles;
+    for (int i = 0; i < 8; ++i) {
+      handles.push_back(random_handle(mesh, rng));
+      std::vector<char> is_fixed(pose.size(), 0);
+      for (auto& fixed : is_fixed) fixed = round % 2 == 1 && rng.below(5) == 0 ? 1 : 0;
+      auto const progress = solver.step(pose, {handles, is_fixed}, 3);
+      EXPECT_TRUE(std::isfinite(progress.energy));
+      for (auto const p : pose) ASSERT_TRUE(is_finite(p));
+      auto const& last = handles.back();
+      if (round % 2 == 0) {
+        EXPECT_LT(distance(at(last.anchor, mesh, pose), last.target), 1e-6);
+      }
     }
   }
 }

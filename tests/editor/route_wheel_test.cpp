@@ -61,6 +61,22 @@ TEST(RouteWheel, WhatMeansNothingChangesNothing) {
   EXPECT_EQ(person.view.camera, Camera());
 }
 
+TEST(RouteWheel, ChangesTheReachWhileTheDeformToolIsDown) {
+  Person person;
+  person.view.tool = Tool::Deform;
+  Vec2 const up = {0, -100};
+  auto const reaches = [&](Modifiers modifiers) {
+    auto const step = route_wheel(person.state, {{300, 200}, up, modifiers}, person.view);
+    return std::get_if<ToBendReach>(&step.routed.at(0)) != nullptr;
+  };
+  EXPECT_FALSE(reaches({}));
+  person.press(PointerKind::Mouse, 1, {300, 200});
+  EXPECT_TRUE(reaches({}));
+  EXPECT_FALSE(reaches({false, true, false})) << "Ctrl zooms as ever";
+  auto const step = route_wheel(person.state, {{300, 200}, up, {}}, person.view);
+  EXPECT_GT(std::get<ToBendReach>(step.routed.at(0)).factor, 1);
+}
+
 TEST(RouteGesture, PinchOfATrackpadZoomsAboutThePointerAndMoves) {
   Person person;
   auto const held = to_canvas(person.view.camera, person.view.size, {300, 200});

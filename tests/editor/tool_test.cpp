@@ -15,8 +15,8 @@
 namespace inkflate {
 namespace {
 
-constexpr Tool kTools[] = {Tool::Brush, Tool::HelpLine, Tool::Eraser,
-                           Tool::Mark,  Tool::Select,   Tool::Hand};
+constexpr Tool kTools[] = {Tool::Brush,  Tool::HelpLine, Tool::Eraser, Tool::Mark,
+                           Tool::Deform, Tool::Select,   Tool::Hand};
 
 Document some_document() {
   auto document = with_ring(with_disc(empty_document(), {300, 300}, 100), {600, 600}, 150, 80);

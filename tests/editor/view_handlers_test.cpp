@@ -161,7 +161,7 @@ TEST(ViewHandlers, MirrorAndGridTurnRound) {
 TEST(ToolHandlers, KeysChooseTools) {
   Artist artist;
   std::vector<std::pair<std::string, Tool>> const keys = {
-      {"l", Tool::HelpLine}, {"e", Tool::Eraser}, {"o", Tool::Mark},
+      {"l", Tool::HelpLine}, {"e", Tool::Eraser}, {"o", Tool::Mark}, {"d", Tool::Deform},
       {"v", Tool::Select},   {"h", Tool::Hand},   {"b", Tool::Brush}};
   for (auto const& [key, tool] : keys) {
     artist.key(key);

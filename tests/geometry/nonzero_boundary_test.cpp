@@ -215,13 +215,5 @@ TEST(NonzeroBoundary, FarFromTheOriginItIsTheSame) {
   EXPECT_EQ(total_area(there), total_area(here));
 }
 
-TEST(LargestPiece, IsTheLargestOuterContourWithItsOwnHoles) {
-  auto const piece = largest_piece(
-      boundary_of({square(0, 0, 8), reversed(square(2, 2, 4)), square(20, 0, 12),
-                   reversed(square(22, 2, 8)), square(24, 4, 4), reversed(square(25, 5, 2))}));
-  EXPECT_EQ(points_of(piece),
-            (std::vector<Contour>{square(20, 0, 12), reversed(square(22, 2, 8))}));
-}
-
 }  // namespace
 }  // namespace inkflate

@@ -111,6 +111,22 @@ TEST(RimSpacing, OfContoursThatCrossIsTheLongest) {
   EXPECT_EQ(rim_spacing(bow)[0], std::vector<double>(4, RimSpacingOptions{}.longest_px));
 }
 
+TEST(Resample, PlacesAreWhereThePointsLie) {
+  Polyline const line = {{0, 0}, {30, 0}, {30, 40}, {90, 40}};
+  std::vector<double> const spacing(line.size(), 7);
+  auto const points = resample(line, spacing);
+  auto const places = resample_places(line, spacing);
+  ASSERT_EQ(places.size(), points.size());
+  EXPECT_EQ(places.front().edge, 0);
+  EXPECT_EQ(places.back().edge, 3);
+  EXPECT_EQ(places.back().share, 0);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    auto const& [edge, share] = places[k];
+    EXPECT_EQ(points[k], share > 0 ? lerp(line[edge], line[edge + 1], share) : line[edge]);
+    EXPECT_TRUE(k == 0 || edge + share > places[k - 1].edge + places[k - 1].share);
+  }
+}
+
 TEST(Resample, EvenSpacingGivesEvenPieces) {
   auto const line = resample(Polyline{{0, 0}, {3, 0}, {10, 0}}, std::vector<double>{2, 2, 2});
   ASSERT_EQ(line.size(), 6U);

@@ -26,24 +26,35 @@ TEST(BendDocument, IsWhatAHandDoesWithPins) {
   BendHand hand(jointed_document());
   hand.set_pins(kBody, {{kBottom}});
   hand.drag({kBody, {}, {}, kTop}, {560, 240});
-  auto const commands =
+  auto const bent =
       bend_document(jointed_document(), {{kBody, kTop, {560, 240}}, {kBody, kBottom, kBottom}});
-  ASSERT_TRUE(commands.has_value());
-  ASSERT_EQ(commands->size(), 1);
-  auto const bent = inkflate::apply(jointed_document(), *commands);
   ASSERT_TRUE(bent.has_value());
+  ASSERT_EQ(bent->commands.size(), 1);
+  auto const result = inkflate::apply(jointed_document(), bent->commands);
+  ASSERT_TRUE(result.has_value());
   for (auto const layer : {kBody, kArm, kHand, kLeg}) {
-    EXPECT_LT(outline_distance(*bent, hand.document, layer), 0.1) << static_cast<int>(layer);
+    EXPECT_LT(outline_distance(*result, hand.document, layer), 0.1) << static_cast<int>(layer);
   }
+}
+
+TEST(BendDocument, TellsWhereThePlacesHaveComeAndHowLongItTook) {
+  auto const bent =
+      bend_document(jointed_document(), {{kBody, kTop, {560, 240}}, {kBody, kBottom, kBottom}});
+  ASSERT_TRUE(bent.has_value());
+  ASSERT_EQ(bent->ends.size(), 2);
+  EXPECT_LT(distance(bent->ends[0], {560, 240}), 1);
+  EXPECT_LT(distance(bent->ends[1], kBottom), 1);
+  EXPECT_GT(bent->steps, 0);
+  EXPECT_TRUE(bent->is_settled);
 }
 
 TEST(BendDocument, AMoveThatBeginsAtAPinMovesThePin) {
   BendHand hand(jointed_document());
   hand.set_pins(kBody, {{kTop}, {kBottom}});
-  auto const commands = bend_document(hand.document, {{kBody, kTop, {450, 210}, 0.2}});
-  ASSERT_TRUE(commands.has_value());
-  ASSERT_EQ(commands->size(), 2);
-  auto const& pins = std::get<SetBendPins>((*commands)[1]).pins;
+  auto const bent = bend_document(hand.document, {{kBody, kTop, {450, 210}, 0.2}});
+  ASSERT_TRUE(bent.has_value());
+  ASSERT_EQ(bent->commands.size(), 2);
+  auto const& pins = std::get<SetBendPins>(bent->commands[1]).pins;
   EXPECT_LT(distance(pins[0].position, {450, 210}), 1);
   EXPECT_NEAR(pins[0].turn_rad.value_or(0), 0.2, 1e-12);
   EXPECT_EQ(pins[1], BendPin{kBottom});
@@ -51,18 +62,18 @@ TEST(BendDocument, AMoveThatBeginsAtAPinMovesThePin) {
 
 TEST(BendDocument, MovesOfLimbAndHostMeetInOneCommand) {
   auto const document = jointed_document();
-  auto const commands =
+  auto const bent =
       bend_document(document, {{kArm, {758.8, 330.3}, {700, 200}}, {kBody, kTop, {430, 190}}});
-  ASSERT_TRUE(commands.has_value());
-  ASSERT_EQ(commands->size(), 1);
-  EXPECT_EQ(std::get<Bend>((*commands)[0]).parts.size(), 4);
+  ASSERT_TRUE(bent.has_value());
+  ASSERT_EQ(bent->commands.size(), 1);
+  EXPECT_EQ(std::get<Bend>(bent->commands[0]).parts.size(), 4);
 }
 
 TEST(BendDocument, FarTargetsGiveFiniteShapes) {
-  auto const commands = bend_document(jointed_document(),
-                                      {{kBody, kTop, {1500, -1200}}, {kBody, kBottom, {-1500, 5}}});
-  ASSERT_TRUE(commands.has_value());
-  for (auto const& part : std::get<Bend>((*commands)[0]).parts) {
+  auto const bent = bend_document(jointed_document(),
+                                  {{kBody, kTop, {1500, -1200}}, {kBody, kBottom, {-1500, 5}}});
+  ASSERT_TRUE(bent.has_value());
+  for (auto const& part : std::get<Bend>(bent->commands[0]).parts) {
     for (auto const p : part.samples) EXPECT_TRUE(is_finite(p));
   }
 }

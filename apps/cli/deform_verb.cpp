@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "cli/batch.h"
+#include "cli/files.h"
+#include "cli/load_project.h"
+#include "cli/option_values.h"
+#include "cli/output_plan.h"
+#include "cli/pin_list.h"
+#include "cli/pin_moves.h"
+#include "cli/progress_line.h"
+#include "cli/simplify_options.h"
+#include "cli/verb.h"
+#include "cli/write_drawing.h"
+#include "document/apply.h"
+#include "io/json_report.h"
+#include "pipeline/stage_clock.h"
+
+namespace inkflate::cli {
+namespace {
+
+/// The options as the user wrote them.
+struct DeformCall {
+  SharedOptions shared;
+  std::string pin_file;
+  std::vector<std::string> pins;
+  std::optional<BendMode> mode;
+  std::string body;
+  SimplifyWords simplify;
+};
+
+/// What to do, checked.
+struct DeformPlan {
+  std::vector<PinWords> pins;
+  BendOptions bend;
+  RunSimplifyOptions simplify;
+  std::vector<std::string> outputs;
+  std::vector<DrawingFormat> formats;  // where there is an output
+};
+
+std::optional<Error> plan_files(DeformCall const& call, DeformPlan& plan) {
+  auto const& shared = call.shared;
+  if (shared.output.empty() && !shared.is_json) {
+    return Error{ErrorCode::BadOption, "nothing to make: give -o OUTPUT or --json"};
+  }
+  if (shared.is_json && shared.output == kStandardStream) {
+    return Error{ErrorCode::BadOption, "-o - and --json both want standard output; name a file"};
+  }
+  auto outputs = plan_outputs(shared.inputs, {"-o", shared.output, ".inkflate"});
+  if (!outputs) return outputs.error();
+  plan.outputs = std::move(*outputs);
+  for (auto const& output : plan.outputs) {
+    auto const format = output.empty() ? DrawingFormat::Inkflate : drawing_format(output);
+    if (!format) return format.error();
+    plan.formats.push_back(*format);
+  }
+  auto read = shared.inputs;
+  read.push_back(call.pin_file);
+  return find_collision(read, plan.outputs);
+}
+
+/// The pins of the file, then those of the command line.
+std::optional<Error> plan_pins(DeformCall const& call, DeformPlan& plan) {
+  PinFile file;
+  if (!call.pin_file.empty()) {
+    auto const content = read_file(call.pin_file);
+    if (!content) {
+      return Error{content.error().code, call.pin_file + ": " + content.error().message};
+    }
+    std::string_view const text(reinterpret_cast<char const*>(content->data()), content->size());
+    auto read = read_pins(text, call.pin_file);
+    if (!read) return read.error();
+    file = *std::move(read);
+  }
+  plan.pins = std::move(file.pins);
+  for (auto const& text : call.pins) {
+    auto pin = parse_pin(text, static_cast<int>(&text - call.pins.data()) + 1);
+    if (!pin) return pin.error();
+    plan.pins.push_back(*std::move(pin));
+  }
+  if (plan.pins.empty()) {
+    return Error{ErrorCode::BadOption,
+                 "nothing to bend: give --pins FILE or --pin PART:X,Y:X,Y (see --help)"};
+  }
+  plan.bend.mode = call.mode.value_or(file.mode.value_or(BendMode::Body));
+  if (!call.body.empty()) {
+    if (plan.bend.mode == BendMode::Wire) {
+      return Error{ErrorCode::BadOption, "--body belongs to --mode body"};
+    }
+    auto const body = checked_body("--body", parse_number(call.body));
+    if (!body) return body.error();
+    file.body = *body;
+  }
+  plan.bend.body = file.body.value_or(plan.bend.body);
+  return std::nullopt;
+}
+
+Result<DeformPlan> make_plan(DeformCall const& call) {
+  DeformPlan plan;
+  if (auto const error = plan_files(call, plan)) return *error;
+  if (auto const error = plan_pins(call, plan)) return *error;
+  auto simplify = simplify_options(call.simplify);
+  if (!simplify) return simplify.error();
+  plan.simplify = std::move(*simplify);
+  return plan;
+}
+
+/// A bend that was refused, by the pin that is to blame.
+Error blamed(Error error, std::vector<PinWords> const& pins) {
+  if (error.index < 0 || error.index >= std::ssize(pins)) return error;
+  error.message = pins[static_cast<std::size_t>(error.index)].source + ": " + error.message;
+  return error;
+}
+
+std::string name_of(Document const& document, LayerId id) {
+  auto const* const layer = find_layer(document, id);
+  return layer == nullptr ? std::string() : layer->layer.name;
+}
+
+BendFacts facts_of(Document const& document, std::vector<BendMove> const& moves,
+                   BentDocument const& bent) {
+  BendFacts facts = {{}, {}, bent.steps, bent.is_settled};
+  for (auto const& command : bent.commands) {
+    auto const* const bend = std::get_if<Bend>(&command);
+    if (bend == nullptr) continue;
+    for (auto const& part : bend->parts) facts.parts.push_back(name_of(document, part.layer));
+  }
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    auto const& move = moves[i];
+    facts.pins.push_back({name_of(document, move.layer), move.from, move.to, bent.ends[i]});
+  }
+  return facts;
+}
+
+Result<Json> deform_one(DeformCall const& call, DeformPlan const& plan, int index,
+                        ProgressLine& line) {
+  StageClock clock;
+  Progress const shown = {[&](std::string_view stage) { line.show(stage); }, {}};
+  Progress const progress = clock.timed(shown);
+  auto const place = static_cast<std::size_t>(index);
+  auto const project =
+      load_project(call.shared, call.shared.inputs[place], plan.simplify, progress);
+  if (!project) return project.error();
+  progress.report("deform");
+  auto const document = make_document(*project);
+  if (!document) return document.error();
+  auto const moves = pin_moves(*document, plan.pins);
+  if (!moves) return moves.error();
+  auto const bent = bend_document(*document, *moves, plan.bend, progress);
+  if (!bent) return blamed(bent.error(), plan.pins);
+  auto const result = inkflate::apply(*document, bent->commands);
+  if (!result) return result.error();
+  progress.report("write");
+  if (auto const& output = plan.outputs[place]; !output.empty()) {
+    if (auto error = write_drawing(to_project(*result), plan.formats[place], output)) {
+      return *error;
+    }
+  }
+  clock.stop();
+  if (!call.shared.is_json) return Json::object();
+  return Json::parse(json_report(facts_of(*document, *moves, *bent), clock.times()));
+}
+
+ExitStatus run_deform_verb(DeformCall const& call) {
+  auto const plan = make_plan(call);
+  if (!plan) return refuse(call.shared, plan.error());
+  if (auto const error = make_folder(call.shared.output)) return refuse(call.shared, *error);
+  ProgressLine line(call.shared.is_quiet ? ProgressLine::Mode::Off : ProgressLine::Mode::Automatic);
+  return run_batch(call.shared, [&](int index) { return deform_one(call, *plan, index, line); });
+}
+
+}  // namespace
+
+Verb declare_deform(CLI::App& program) {
+  auto const call = std::make_shared<DeformCall>();
+  call->simplify.parts = Parts::Groups;
+  auto& verb = *program.add_subcommand("deform", "Bend parts of a drawing by pins");
+  add_shared_options(verb, call->shared);
+  verb.add_option("--pins", call->pin_file,
+                  "JSON: {\"pins\": [{\"part\", \"at\": [x, y], \"to\": [x, y],\n"
+                  "\"turn\": degrees}]}; without \"to\" a pin holds its place")
+      ->type_name("FILE");
+  verb.add_option("--pin", call->pins,
+                  "One more pin: of this part (its name or number) the place\n"
+                  "nearest to X,Y goes to the second X,Y, or stays where there\n"
+                  "is none; turned clockwise (may be repeated)")
+      ->type_name("PART:X,Y[:X,Y[:DEGREES]]")
+      ->allow_extra_args(false);
+  std::map<std::string, BendMode> const modes = {{"body", BendMode::Body},
+                                                 {"wire", BendMode::Wire}};
+  verb.add_option_function<std::string>(
+          "--mode", [call, modes](std::string const& word) { call->mode = modes.at(word); },
+          "The filled shape resists, or its line alone, as in the thesis")
+      ->check(CLI::IsMember(modes).description(""))
+      ->type_name("body|wire");
+  verb.add_option("--body", call->body, "How stiff the inside is beside the line (1)")
+      ->type_name("0.003..1");
+  add_simplify_options(verb, call->simplify);
+  return {&verb, [call] { return run_deform_verb(*call); }};
+}
+
+}  // namespace inkflate::cli

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deform/reach.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "geometry/trig.h"
+#include "mesh/mesh_region.h"
+#include "support/regions.h"
+
+namespace inkflate {
+namespace {
+
+FlatMesh meshed(Region const& region) { return mesh_region(region)->mesh; }
+
+/// The first triangle with the vertex nearest to p, and its corner.
+BendAnchor anchor_at(FlatMesh const& mesh, Vec2 p) {
+  int best = 0;
+  for (int v = 0; v < std::ssize(mesh.points); ++v) {
+    if (distance(mesh.points[v], p) < distance(mesh.points[best], p)) best = v;
+  }
+  for (int t = 0; t < std::ssize(mesh.triangles); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (mesh.triangles[t][k] != best) continue;
+      BendAnchor anchor = {t, {0, 0, 0}};
+      anchor.weights[k] = 1;
+      return anchor;
+    }
+  }
+  return {};
+}
+
+TEST(Reach, IsTheStraightWayWhereNothingIsBetween) {
+  auto const mesh = meshed(disc_region(200, 8));
+  BendAnchor const from = {static_cast<int>(mesh.triangles.size() / 3), {0.2, 0.5, 0.3}};
+  Vec2 const source = place_of(mesh, mesh.points, from);
+  auto const ways = ways_inside(mesh, from);
+  for (std::size_t v = 0; v < ways.size(); ++v)
+    EXPECT_NEAR(ways[v], distance(source, mesh.points[v]), 1e-9);
+}
+
+TEST(Reach, GoesAroundTheCornerOfAnL) {
+  auto const mesh = meshed(l_region(300, 8));
+  auto const from = anchor_at(mesh, {0, 0});
+  Vec2 const source = place_of(mesh, mesh.points, from);
+  Vec2 const corner = {100, 200};
+  auto const ways = ways_inside(mesh, from);
+  int hidden = 0;
+  for (std::size_t v = 0; v < ways.size(); ++v) {
+    Vec2 const p = mesh.points[v];
+    bool const is_hidden = p.x > corner.x && cross(corner - source, p - corner) < 0;
+    double const wanted =
+        is_hidden ? distance(source, corner) + distance(corner, p) : distance(source, p);
+    EXPECT_NEAR(ways[v], wanted, 0.02 * wanted + 1e-9) << p.x << " " << p.y;
+    hidden += is_hidden ? 1 : 0;
+  }
+  EXPECT_GT(hidden, 20);
+}
+
+TEST(Reach, GoesAroundAHoleAlongItsRim) {
+  auto const mesh = meshed(annulus_region(200, 100, 6));
+  auto const from = anchor_at(mesh, {400, 200});
+  Vec2 const source = place_of(mesh, mesh.points, from);
+  auto const ways = ways_inside(mesh, from);
+  for (std::size_t v = 0; v < ways.size(); ++v) {
+    Vec2 const p = mesh.points[v];
+    if (distance(p, {0, 200}) > 3) continue;
+    // Both tangents, and the arc between them.
+    double const tangent = std::sqrt(200.0 * 200 - 100.0 * 100);
+    double const wanted = 2 * tangent + 100 * (kPi - 2 * acos_of(0.5));
+    EXPECT_NEAR(ways[v], wanted, 0.02 * wanted);
+    EXPECT_GT(ways[v], distance(source, p));
+  }
+}
+
+TEST(Reach, IsNeverShorterThanTheStraightWay) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    auto const region = mesh_region(random_region(seed));
+    if (!region) continue;
+    auto const& mesh = region->mesh;
+    auto const ways = ways_inside(mesh, {0, {1, 0, 0}});
+    Vec2 const source = mesh.points[mesh.triangles[0][0]];
+    for (std::size_t v = 0; v < ways.size(); ++v)
+      EXPECT_GE(ways[v], distance(source, mesh.points[v]) - 1e-9);
+  }
+}
+
+TEST(Reach, IsInfiniteToOtherParts) {
+  FlatMesh const mesh = {{{0, 0}, {1, 0}, {0, 1}, {5, 5}, {6, 5}, {5, 6}}, {{0, 1, 2}, {3, 4, 5}}};
+  auto const ways = ways_inside(mesh, {0, {1, 0, 0}});
+  EXPECT_EQ(ways[0], 0);
+  EXPECT_EQ(ways[1], 1);
+  EXPECT_EQ(ways[4], std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace inkflate
