@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "deform/grip.h"
 #include "geometry/trig.h"
 
 namespace inkflate {
@@ -27,7 +28,9 @@ Vec2 turned_back(Vec2 v, Vec2 direction) { return turned_by(v, {direction.x, -di
 SoftHandles::SoftHandles(BendMesh const& mesh, std::span<BendHandle const> handles) : mesh_(&mesh) {
   strength_ = kStrength * *std::max_element(mesh.stiffness.begin(), mesh.stiffness.end());
   for (auto const& handle : handles) {
-    places_.push_back({handle.anchor, handle.target, strength_});
+    // What is held by a grip resists the more.
+    double const strength = handle.grip_px > 0 ? strength_ * Grips::kStiffest : strength_;
+    places_.push_back({handle.anchor, handle.target, strength});
     if (!handle.turn_rad) continue;
     auto const turn = sin_cos(*handle.turn_rad);
     turned_.push_back({&handle, ring_around(handle.anchor), {turn.cos, turn.sin}});
