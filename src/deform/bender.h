@@ -41,7 +41,8 @@ class Bender {
   /// The place of the drawn lines that is nearest to a place of the canvas while the shape lies in this pose.
   BendAnchor nearest(BendPose const& pose, Vec2 canvas) const;
 
-  /// Which vertices are farther than this from a place, measured inside the rest shape.
+  /// Which vertices are farther than this from a place, measured inside the rest shape; but for small ends that hang on what is nearer
+  /// (deform/hangers_on.h).
   /// cost    O(n log n)
   std::vector<char> beyond_reach(BendAnchor const& from, double reach_px) const;
 
