@@ -15,10 +15,10 @@ namespace inkflate {
 
 /// All that is bent together.
 struct BendShape {
-  std::vector<Outline>
-      outlines;  // the outer one, then its holes. None: the lines are bent themselves, each as a strip
-  std::vector<Polyline>
-      lines;  // strokes and marks: they ride along. One of a single point is a place
+  /// The outer one, then its holes. None: the lines are bent themselves, each as a strip.
+  std::vector<Outline> outlines;
+  /// Strokes and marks: they ride along. One of a single point is a place.
+  std::vector<Polyline> lines;
 };
 
 /// A shape at rest and all that is needed to bend it again and again.

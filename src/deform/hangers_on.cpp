@@ -2,7 +2,8 @@
 #include "deform/hangers_on.h"
 
 #include <cmath>
-#include <span>
+
+#include "mesh/triangles_at.h"
 
 namespace inkflate {
 namespace {
@@ -21,44 +22,18 @@ std::vector<double> vertex_areas(FlatMesh const& mesh) {
   return areas;
 }
 
-/// The vertices that edges join each vertex with, some twice.
-class Neighbours {
- public:
-  explicit Neighbours(FlatMesh const& mesh) : starts_(mesh.points.size() + 1, 0) {
-    for (auto const& corners : mesh.triangles) {
-      for (int const v : corners) starts_[v + 1] += 2;
-    }
-    for (std::size_t v = 1; v < starts_.size(); ++v) starts_[v] += starts_[v - 1];
-    items_.resize(starts_.back());
-    auto next = starts_;
-    for (auto const& corners : mesh.triangles) {
-      for (int k = 0; k < 3; ++k) {
-        int const v = corners[k];
-        items_[next[v]++] = corners[(k + 1) % 3];
-        items_[next[v]++] = corners[(k + 2) % 3];
-      }
-    }
-  }
-
-  std::span<int const> of(int v) const {
-    return std::span(items_).subspan(starts_[v], starts_[v + 1] - starts_[v]);
-  }
-
- private:
-  std::vector<int> starts_;
-  std::vector<int> items_;
-};
-
 /// All that stays and hangs together with a vertex, which is marked as seen.
-std::vector<int> piece_at(int start, Neighbours const& neighbours, std::vector<char> const& stays,
-                          std::vector<char>& is_seen) {
+std::vector<int> piece_at(int start, FlatMesh const& mesh, TrianglesAt const& triangles,
+                          std::vector<char> const& stays, std::vector<char>& is_seen) {
   std::vector<int> piece = {start};
   is_seen[start] = 1;
   for (std::size_t i = 0; i < piece.size(); ++i) {
-    for (int const v : neighbours.of(piece[i])) {
-      if (!stays[v] || is_seen[v]) continue;
-      is_seen[v] = 1;
-      piece.push_back(v);
+    for (int const t : triangles[piece[i]]) {
+      for (int const v : mesh.triangles[t]) {
+        if (!stays[v] || is_seen[v]) continue;
+        is_seen[v] = 1;
+        piece.push_back(v);
+      }
     }
   }
   return piece;
@@ -71,12 +46,12 @@ void free_hangers_on(FlatMesh const& mesh, std::vector<double> const& way_px,
   auto const areas = vertex_areas(mesh);
   double moving = 0;
   for (std::size_t v = 0; v < areas.size(); ++v) moving += stays[v] ? 0 : areas[v];
-  Neighbours const neighbours(mesh);
+  TrianglesAt const triangles(mesh);
   std::vector<char> is_seen(areas.size(), 0);
   std::vector<int> freed;
   for (int v = 0; v < static_cast<int>(std::ssize(areas)); ++v) {
     if (!stays[v] || is_seen[v] || !std::isfinite(way_px[v])) continue;
-    auto const piece = piece_at(v, neighbours, stays, is_seen);
+    auto const piece = piece_at(v, mesh, triangles, stays, is_seen);
     double area = 0;
     for (int const w : piece) area += areas[w];
     if (area < kSmallShare * moving) freed.insert(freed.end(), piece.begin(), piece.end());

@@ -46,11 +46,5 @@ TEST(WireEdges, HavePositiveWeightsWhateverTheTriangles) {
   }
 }
 
-TEST(WireEdges, ComponentsAreNamedByTheirLowestVertex) {
-  auto const mesh =
-      mesh_of({{0, 0}, {1, 0}, {9, 9}, {0, 1}, {5, 5}, {6, 5}, {5, 6}}, {{4, 5, 6}, {0, 1, 3}});
-  EXPECT_EQ(wire_components(7, wire_edges(mesh)), (std::vector<int>{0, 0, 2, 0, 4, 4, 4}));
-}
-
 }  // namespace
 }  // namespace inkflate
