@@ -168,10 +168,11 @@ void iterate(LocalGlobal& solver, BendMesh const& mesh, BendPose& pose, BendHold
              int iterations) {
   std::vector<int> vertices;
   std::vector<Vec2> targets;
-  for (auto const& [anchor, target, turn] : hold.handles) {
+  for (auto const& handle : hold.handles) {
+    auto const& anchor = handle.anchor;
     auto const corner = std::max_element(anchor.weights.begin(), anchor.weights.end());
     vertices.push_back(mesh.rest.triangles[anchor.triangle][corner - anchor.weights.begin()]);
-    targets.push_back(target);
+    targets.push_back(handle.target);
   }
   solver.hold(std::move(vertices));
   solver.iterate(pose, targets, iterations);

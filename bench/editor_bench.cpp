@@ -1,75 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <benchmark/benchmark.h>
-#include <malloc.h>
-#include <time.h>
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 #include "base/check.h"
 #include "editor/engine.h"
+#include "hand.h"
 #include "rough_character.h"
 
 namespace inkflate {
 namespace {
-
-/// Of this thread alone: a percentile of wall time would tell what other programs did.
-double cpu_ms() {
-  timespec now = {};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-/// Times of one kind of step.
-class Times {
- public:
-  void add(double ms) { ms_.push_back(ms); }
-
-  void report(benchmark::State& state, std::string const& name) {
-    if (ms_.empty()) return;
-    std::sort(ms_.begin(), ms_.end());
-    state.counters[name + "_p50_ms"] = at(0.5);
-    state.counters[name + "_p95_ms"] = at(0.95);
-    state.counters[name + "_most_ms"] = ms_.back();
-  }
-
- private:
-  double at(double share) const {
-    return ms_[static_cast<std::size_t>(share * static_cast<double>(ms_.size() - 1))];
-  }
-
-  std::vector<double> ms_;
-};
-
-/// Somebody who draws: the strokes of a rough character, with a pen that reports a hundred times a second.
-class Hand {
- public:
-  explicit Hand(Engine& engine) : engine_(engine) {}
-
-  void send(PointerAction action, Vec2 place) {
-    PointerEvent event;
-    event.action = action;
-    event.kind = PointerKind::Pen;
-    if (action != PointerAction::Move) event.button = PointerButton::Primary;
-    event.screen = place;
-    time_s_ += 0.01;
-    event.time_s = time_s_;
-    engine_.handle(event);
-  }
-
-  void draw(Stroke const& stroke, Vec2 moved = {}) {
-    time_s_ += 1;  // no double click
-    auto const& samples = stroke.samples;
-    send(PointerAction::Press, samples.front().position + moved);
-    for (auto const& sample : samples) send(PointerAction::Move, sample.position + moved);
-    send(PointerAction::Release, samples.back().position + moved);
-  }
-
- private:
-  Engine& engine_;
-  double time_s_ = 0;
-};
 
 /// An engine with so many loose strokes on its canvas.
 Engine drawn(Sketch const& sketch) {
@@ -78,10 +18,6 @@ Engine drawn(Sketch const& sketch) {
   Hand hand(engine);
   for (auto const& stroke : sketch.strokes) hand.draw(stroke);
   return engine;
-}
-
-void finish_work(Engine& engine) {
-  while (engine.has_work()) engine.work();
 }
 
 /// From a pointer event to the scene that shows it, while a stroke is drawn among many.
@@ -167,11 +103,6 @@ void editor_simplify(benchmark::State& state) {
   times.report(state, "simplify");
 }
 BENCHMARK(editor_simplify)->Arg(250)->Arg(1000)->Unit(benchmark::kMillisecond);
-
-std::size_t used_bytes() {
-  auto const info = ::mallinfo2();
-  return info.uordblks + info.hblkhd;
-}
 
 /// What every version of a long drawing takes, beside the samples of its strokes.
 void editor_memory(benchmark::State& state) {

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
+
+#include "mesh/triangles_at.h"
 
 namespace inkflate {
 namespace {
@@ -43,22 +44,12 @@ struct NamedLayer {
 /// The triangles around each point of a mesh.
 class Fans {
  public:
-  explicit Fans(FlatMesh const& mesh) : mesh_(mesh), starts_(mesh.points.size() + 1, 0) {
-    for (auto const& triangle : mesh.triangles) {
-      for (int const v : triangle) ++starts_[v + 1];
-    }
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    items_.resize(starts_.back());
-    auto next = starts_;
-    for (int t = 0; t < static_cast<int>(std::ssize(mesh.triangles)); ++t) {
-      for (int const v : mesh.triangles[t]) items_[next[v]++] = t;
-    }
-  }
+  explicit Fans(FlatMesh const& mesh) : mesh_(mesh), triangles_(mesh) {}
 
   /// The triangle in which `to` follows `from`; -1: none.
   int with_edge(int from, int to) const {
-    for (int k = starts_[from]; k < starts_[from + 1]; ++k) {
-      if (after(items_[k], from) == to) return items_[k];
+    for (int const t : triangles_[from]) {
+      if (after(t, from) == to) return t;
     }
     return -1;
   }
@@ -73,8 +64,7 @@ class Fans {
   }
 
   FlatMesh const& mesh_;
-  std::vector<int> starts_;
-  std::vector<int> items_;
+  TrianglesAt triangles_;
 };
 
 class Stitcher {

@@ -5,6 +5,12 @@
 
 namespace inkflate {
 
+BendAnchor corner_anchor(int triangle, int corner) {
+  BendAnchor anchor = {triangle, {0, 0, 0}};
+  anchor.weights[corner] = 1;
+  return anchor;
+}
+
 Vec2 place_of(FlatMesh const& mesh, std::span<Vec2 const> pose, BendAnchor const& anchor) {
   CHECK(anchor.triangle >= 0 && anchor.triangle < std::ssize(mesh.triangles),
         "an anchor of this mesh");

@@ -27,8 +27,8 @@ struct BendMesh {
 /// Where each vertex of a BendMesh lies now, canvas px.
 using BendPose = std::vector<Vec2>;
 
-/// A place of the shape: a triangle of its mesh and the weights of its corners, whose sum is 1. Places a little beside the mesh have
-/// a negative weight.
+/// A place of the shape: a triangle of its mesh and the weights of its corners, whose sum is 1. Places a little beside the mesh have a
+/// negative weight.
 struct BendAnchor {
   int triangle = 0;
   std::array<double, 3> weights = {1, 0, 0};
@@ -36,16 +36,19 @@ struct BendAnchor {
   friend bool operator==(BendAnchor const&, BendAnchor const&) = default;
 };
 
+/// A corner of a triangle, 0 .. 2: the place of that vertex.
+BendAnchor corner_anchor(int triangle, int corner);
+
 Vec2 place_of(FlatMesh const& mesh, std::span<Vec2 const> pose, BendAnchor const& anchor);
 
 /// A place of the shape that is held, and where it shall go.
 struct BendHandle {
   BendAnchor anchor;
   Vec2 target;  // canvas px
-  std::optional<double> turn_rad =
-      {};  // the shape around it is turned by this from its rest; none: as it likes. Screen-wise: x to y
-  double grip_px =
-      0;  // >= 0; mode Body: so far around it the shape is stiffer, as if a fingertip held it and not a needle
+  /// By this the shape around it is turned from its rest, x towards y; none: as it likes.
+  std::optional<double> turn_rad = {};
+  /// >= 0; mode Body: so far around it the shape is stiffer, as if a fingertip held it and not a needle.
+  double grip_px = 0;
 };
 
 /// What holds a shape while it is bent.
@@ -59,8 +62,7 @@ struct BendProgress {
   double energy = 0;           // with the handles' share, after the steps
   double decrement = 0;        // how much the next step would gain at most, about; 0 at the minimum
   double largest_move_px = 0;  // of a vertex in the last step
-  bool is_settled =
-      false;  // nothing would move any more that one could see: further steps are idle
+  bool is_settled = false;     // nothing would move any more that one could see
 };
 
 }  // namespace inkflate

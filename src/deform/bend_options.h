@@ -10,10 +10,10 @@ enum class BendMode {
 
 struct BendOptions {
   BendMode mode = BendMode::Body;
-  double body =
-      1;  // kLeastBody .. 1: how stiff the inside is beside the line. 1 bends a body, less a wire; of mode Body
-  double strip_half_width_px =
-      0;  // >= 0: of mode Wire; 0: as wide as the spacing of the line's vertices
+  /// Of mode Body, kLeastBody .. 1: how stiff the inside is beside the line. 1 bends a body, less a wire.
+  double body = 1;
+  /// Of mode Wire, >= 0; 0: as wide as the spacing of the line's vertices.
+  double strip_half_width_px = 0;
 
   static constexpr double kLeastBody = 0.003;  // docs/algorithms/deform.md
 };

@@ -8,6 +8,7 @@
 
 #include "deform/body_mesh.h"
 #include "deform/body_solver.h"
+#include "deform/hangers_on.h"
 #include "deform/line_anchors.h"
 #include "deform/outline_ride.h"
 #include "deform/reach.h"
@@ -140,9 +141,11 @@ BendAnchor Bender::nearest(BendPose const& pose, Vec2 canvas) const {
 }
 
 std::vector<char> Bender::beyond_reach(BendAnchor const& from, double reach_px) const {
+  auto const& mesh = inside_->meshed.mesh.rest;
+  auto const ways_px = ways_inside(mesh, from);
   std::vector<char> beyond;
-  for (double const px : ways_inside(inside_->meshed.mesh.rest, from))
-    beyond.push_back(px > reach_px ? 1 : 0);
+  for (double const px : ways_px) beyond.push_back(px > reach_px ? 1 : 0);
+  free_hangers_on(mesh, ways_px, beyond);
   return beyond;
 }
 

@@ -15,10 +15,10 @@ namespace inkflate {
 
 /// All that is bent together.
 struct BendShape {
-  std::vector<Outline>
-      outlines;  // the outer one, then its holes. None: the lines are bent themselves, each as a strip
-  std::vector<Polyline>
-      lines;  // strokes and marks: they ride along. One of a single point is a place
+  /// The outer one, then its holes. None: the lines are bent themselves, each as a strip.
+  std::vector<Outline> outlines;
+  /// Strokes and marks: they ride along. One of a single point is a place.
+  std::vector<Polyline> lines;
 };
 
 /// A shape at rest and all that is needed to bend it again and again.
@@ -41,7 +41,8 @@ class Bender {
   /// The place of the drawn lines that is nearest to a place of the canvas while the shape lies in this pose.
   BendAnchor nearest(BendPose const& pose, Vec2 canvas) const;
 
-  /// Which vertices are farther than this from a place, measured inside the rest shape.
+  /// Which vertices are farther than this from a place, measured inside the rest shape; but for small ends that hang on what is nearer
+  /// (deform/hangers_on.h).
   /// cost    O(n log n)
   std::vector<char> beyond_reach(BendAnchor const& from, double reach_px) const;
 

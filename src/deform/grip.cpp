@@ -18,19 +18,7 @@ double factor_at(double squared_share) {
 }  // namespace
 
 Grips::Grips(BendMesh const& mesh)
-    : mesh_(&mesh),
-      starts_(mesh.rest.points.size() + 1, 0),
-      fans_(3 * mesh.rest.triangles.size()),
-      factors_(mesh.rest.triangles.size(), 1.0) {
-  for (auto const& corners : mesh.rest.triangles) {
-    for (int const v : corners) ++starts_[v + 1];
-  }
-  for (std::size_t v = 1; v < starts_.size(); ++v) starts_[v] += starts_[v - 1];
-  auto next = starts_;
-  for (int t = 0; t < static_cast<int>(mesh.rest.triangles.size()); ++t) {
-    for (int const v : mesh.rest.triangles[t]) fans_[next[v]++] = t;
-  }
-}
+    : mesh_(&mesh), triangles_(mesh.rest), factors_(mesh.rest.triangles.size(), 1.0) {}
 
 bool Grips::update(std::span<BendHandle const> handles) {
   std::vector<Grip> grips;
@@ -58,10 +46,10 @@ void Grips::stiffen(Grip const& grip) {
     auto& factor = factors_[reached[i]];
     factor = std::max(factor, factor_at(share));
     for (int const v : corners) {
-      for (int k = starts_[v]; k < starts_[v + 1]; ++k) {
-        if (is_reached[fans_[k]]) continue;
-        is_reached[fans_[k]] = true;
-        reached.push_back(fans_[k]);
+      for (int const t : triangles_[v]) {
+        if (is_reached[t]) continue;
+        is_reached[t] = true;
+        reached.push_back(t);
       }
     }
   }

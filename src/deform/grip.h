@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "deform/bend_mesh.h"
+#include "mesh/triangles_at.h"
 
 namespace inkflate {
 
@@ -36,8 +37,7 @@ class Grips {
   void stiffen(Grip const& grip);
 
   BendMesh const* mesh_;
-  std::vector<int> starts_;  // per vertex its first entry in fans_
-  std::vector<int> fans_;    // the triangles around each vertex
+  TrianglesAt triangles_;
   std::vector<Grip> grips_;
   std::vector<double> factors_;
 };

@@ -5,36 +5,20 @@
 #include <limits>
 
 #include "base/check.h"
+#include "geometry/segment.h"
+#include "mesh/triangles_at.h"
 
 namespace inkflate {
 namespace {
 
-/// The triangles at each vertex, side by side.
-struct TrianglesAt {
-  explicit TrianglesAt(FlatMesh const& mesh)
-      : starts(mesh.points.size() + 1, 0), items(3 * mesh.triangles.size()) {
-    for (auto const& t : mesh.triangles) {
-      for (int const v : t) ++starts[v + 1];
-    }
-    for (std::size_t v = 1; v < starts.size(); ++v) starts[v] += starts[v - 1];
-    auto next = starts;
-    for (int t = 0; t < std::ssize(mesh.triangles); ++t) {
-      for (int const v : mesh.triangles[t]) items[next[v]++] = t;
-    }
+/// The first triangle with both vertices; -1: none.
+int triangle_with(int a, int b, FlatMesh const& mesh, TrianglesAt const& triangles) {
+  for (int const t : triangles[a]) {
+    auto const& corners = mesh.triangles[t];
+    if (std::find(corners.begin(), corners.end(), b) != corners.end()) return t;
   }
-
-  /// The first triangle with both vertices; -1: none.
-  int find(FlatMesh const& mesh, int a, int b) const {
-    for (int k = starts[a]; k < starts[a + 1]; ++k) {
-      auto const& t = mesh.triangles[items[k]];
-      if (t[0] == b || t[1] == b || t[2] == b) return items[k];
-    }
-    return -1;
-  }
-
-  std::vector<int> starts;
-  std::vector<int> items;
-};
+  return -1;
+}
 
 }  // namespace
 
@@ -46,7 +30,7 @@ LineAnchors::LineAnchors(BendMesh const& mesh) : rest_(&mesh.rest) {
     for (int i = 0; i < edges; ++i) {
       int const from = line.vertices[i];
       int const to = line.vertices[(i + 1) % count];
-      int const triangle = triangles.find(mesh.rest, from, to);
+      int const triangle = triangle_with(from, to, mesh.rest, triangles);
       if (triangle >= 0) edges_.push_back({from, to, triangle});
     }
   }
@@ -62,10 +46,7 @@ BendAnchor LineAnchors::nearest(std::span<Vec2 const> pose, Vec2 canvas) const {
     best = away;
     found = &edge;
   }
-  Vec2 const along = pose[found->to] - pose[found->from];
-  double const square = squared_norm(along);
-  double const share =
-      square > 0 ? std::clamp(dot(canvas - pose[found->from], along) / square, 0.0, 1.0) : 0;
+  double const share = share_along(canvas, pose[found->from], pose[found->to]);
   BendAnchor anchor = {found->triangle, {0, 0, 0}};
   auto const& corners = rest_->triangles[found->triangle];
   for (int k = 0; k < 3; ++k) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deform/reach.h"
 
-#include <algorithm>
 #include <functional>
 #include <limits>
 #include <queue>
 #include <utility>
+
+#include "mesh/triangles_at.h"
 
 namespace inkflate {
 namespace {
@@ -28,17 +29,7 @@ struct Way {
 class WayFinder {
  public:
   explicit WayFinder(FlatMesh const& mesh)
-      : mesh_(mesh), ways_(mesh.points.size()), starts_(mesh.points.size() + 1, 0) {
-    for (auto const& t : mesh.triangles) {
-      for (int const v : t) ++starts_[v + 1];
-    }
-    for (std::size_t v = 1; v < starts_.size(); ++v) starts_[v] += starts_[v - 1];
-    items_.resize(3 * mesh.triangles.size());
-    auto next = starts_;
-    for (int t = 0; t < std::ssize(mesh.triangles); ++t) {
-      for (int const v : mesh.triangles[t]) items_[next[v]++] = t;
-    }
-  }
+      : mesh_(mesh), ways_(mesh.points.size()), triangles_(mesh) {}
 
   std::vector<double> run(BendAnchor const& from) {
     Vec2 const source = place_of(mesh_, mesh_.points, from);
@@ -47,7 +38,7 @@ class WayFinder {
       auto const [px, v] = queue_.top();
       queue_.pop();
       if (px > ways_[v].px) continue;  // found a shorter way since
-      for (int k = starts_[v]; k < starts_[v + 1]; ++k) widen(mesh_.triangles[items_[k]], v);
+      for (int const t : triangles_[v]) widen(mesh_.triangles[t], v);
     }
     std::vector<double> result;
     for (auto const& way : ways_) result.push_back(way.px);
@@ -105,8 +96,7 @@ class WayFinder {
 
   FlatMesh const& mesh_;
   std::vector<Way> ways_;
-  std::vector<int> starts_;  // per vertex, into items_
-  std::vector<int> items_;   // the triangles at each vertex
+  TrianglesAt triangles_;
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>,
                       std::greater<std::pair<double, int>>>
       queue_;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/check.h"
+#include "geometry/segment.h"
 
 namespace inkflate {
 namespace {
@@ -17,13 +18,6 @@ constexpr double kNearFactor = 2.5;
 constexpr double kNearEdges = 2;
 
 double smoothstep(double t) { return t * t * (3 - 2 * t); }
-
-/// Where along the edge a b its place nearest to p lies, 0 .. 1.
-double share_along(Vec2 p, Vec2 a, Vec2 b) {
-  Vec2 const edge = b - a;
-  double const square = squared_norm(edge);
-  return square > 0 ? std::clamp(dot(p - a, edge) / square, 0.0, 1.0) : 0;
-}
 
 }  // namespace
 

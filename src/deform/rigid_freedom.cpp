@@ -2,7 +2,8 @@
 #include "deform/rigid_freedom.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "mesh/connected_vertices.h"
 
 namespace inkflate {
 namespace {
@@ -13,29 +14,10 @@ constexpr double kSamePlaceEdges = 1e-6;
 // Shifts shorter than this are rounding: a piece that is where it shall be stays so to the last bit.
 constexpr double kLeastShiftPx = 1e-7;
 
-/// For each vertex the least vertex that it hangs together with.
-std::vector<int> least_connected(FlatMesh const& mesh) {
-  std::vector<int> parent(mesh.points.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  auto const root_of = [&](int v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (auto const& corners : mesh.triangles) {
-    for (int i = 1; i < 3; ++i) {
-      int const a = root_of(corners[0]);
-      int const b = root_of(corners[i]);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  for (int v = 0; v < static_cast<int>(parent.size()); ++v) parent[v] = root_of(v);
-  return parent;
-}
-
 }  // namespace
 
 RigidFreedom::RigidFreedom(BendMesh const& mesh)
-    : mesh_(&mesh), piece_of_(least_connected(mesh.rest)), vertex_anchors_(piece_of_.size()) {
+    : mesh_(&mesh), piece_of_(connected_vertices(mesh.rest)), vertex_anchors_(piece_of_.size()) {
   for (int v = 0; v < static_cast<int>(piece_of_.size()); ++v) {
     if (piece_of_[v] == v) {
       piece_of_[v] = static_cast<int>(pieces_.size());
@@ -47,9 +29,7 @@ RigidFreedom::RigidFreedom(BendMesh const& mesh)
   }
   for (int t = 0; t < static_cast<int>(mesh.rest.triangles.size()); ++t) {
     for (int corner = 0; corner < 3; ++corner) {
-      BendAnchor own{t, {0, 0, 0}};
-      own.weights[corner] = 1;
-      vertex_anchors_[mesh.rest.triangles[t][corner]] = own;
+      vertex_anchors_[mesh.rest.triangles[t][corner]] = corner_anchor(t, corner);
     }
   }
 }

@@ -17,8 +17,7 @@ struct BendLineOrigin {
 struct ShapeMesh {
   BendMesh mesh;
   std::vector<BendLineOrigin> origins;  // one per BendMesh::lines
-  bool is_filled =
-      false;  // what lies inside of the outlines is meshed; else only strips along the lines are
+  bool is_filled = false;               // what lies inside of the outlines is meshed, not strips
 };
 
 }  // namespace inkflate

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "deform/grip.h"
+#include "geometry/complex.h"
 #include "geometry/trig.h"
 
 namespace inkflate {
@@ -16,18 +18,14 @@ constexpr double kRingShare = 0.1;
 // The largest turn that is asked for at once, 0.5 rad: chords and arcs are still nearly the same.
 constexpr Vec2 kLargestTurn = {0.87758256189037271612, 0.47942553860420300027};
 
-Vec2 turned_by(Vec2 v, Vec2 direction) {
-  return {v.x * direction.x - v.y * direction.y, v.x * direction.y + v.y * direction.x};
-}
-
-Vec2 turned_back(Vec2 v, Vec2 direction) { return turned_by(v, {direction.x, -direction.y}); }
-
 }  // namespace
 
 SoftHandles::SoftHandles(BendMesh const& mesh, std::span<BendHandle const> handles) : mesh_(&mesh) {
   strength_ = kStrength * *std::max_element(mesh.stiffness.begin(), mesh.stiffness.end());
   for (auto const& handle : handles) {
-    places_.push_back({handle.anchor, handle.target, strength_});
+    // What is held by a grip resists the more.
+    double const strength = handle.grip_px > 0 ? strength_ * Grips::kStiffest : strength_;
+    places_.push_back({handle.anchor, handle.target, strength});
     if (!handle.turn_rad) continue;
     auto const turn = sin_cos(*handle.turn_rad);
     turned_.push_back({&handle, ring_around(handle.anchor), {turn.cos, turn.sin}});
@@ -45,9 +43,7 @@ std::vector<SoftHandles::RingVertex> SoftHandles::ring_around(BendAnchor const& 
     int const vertex = mesh.triangles[triangle][corner];
     if (is_in[vertex]) return false;
     is_in[vertex] = true;
-    BendAnchor own{triangle, {0, 0, 0}};
-    own.weights[corner] = 1;
-    ring.push_back({vertex, own, mesh.points[vertex] - centre});
+    ring.push_back({vertex, corner_anchor(triangle, corner), mesh.points[vertex] - centre});
     return true;
   };
   for (int corner = 0; corner < 3; ++corner) add(anchor.triangle, corner);
@@ -68,7 +64,7 @@ std::vector<SoftHandles::RingVertex> SoftHandles::ring_around(BendAnchor const& 
 void SoftHandles::add_ring(Turned const& turned, Vec2 direction, std::vector<Pull>& pulls) const {
   for (auto const& v : turned.ring) {
     pulls.push_back(
-        {v.anchor, turned.handle->target + turned_by(v.arm, direction), strength_ * kRingShare});
+        {v.anchor, turned.handle->target + product(v.arm, direction), strength_ * kRingShare});
   }
 }
 
@@ -84,12 +80,12 @@ std::vector<Pull> SoftHandles::pulls_from(std::span<Vec2 const> pose) const {
     // The turn that takes the arms at rest nearest to those of the pose.
     Vec2 const centre = place_of(mesh_->rest, pose, turned.handle->anchor);
     Vec2 sum;
-    for (auto const& v : turned.ring) sum += turned_back(pose[v.vertex] - centre, v.arm);
+    for (auto const& v : turned.ring) sum += product(pose[v.vertex] - centre, conjugate(v.arm));
     Vec2 const present = normalized(sum);
-    Vec2 const rest_of_turn = turned_back(turned.direction, present);
+    Vec2 const rest_of_turn = product(turned.direction, conjugate(present));
     bool const is_within = squared_norm(present) == 0 || rest_of_turn.x >= kLargestTurn.x;
     Vec2 const part = {kLargestTurn.x, rest_of_turn.y < 0 ? -kLargestTurn.y : kLargestTurn.y};
-    add_ring(turned, is_within ? turned.direction : turned_by(present, part), result);
+    add_ring(turned, is_within ? turned.direction : product(present, part), result);
   }
   return result;
 }

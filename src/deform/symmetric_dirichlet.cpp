@@ -3,12 +3,10 @@
 
 #include <limits>
 
+#include "geometry/complex.h"
+
 namespace inkflate {
 namespace {
-
-// Vec2 as complex numbers.
-Vec2 product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
-Vec2 conjugate(Vec2 a) { return {a.x, -a.y}; }
 
 constexpr double kInverseRoot2 = 0.70710678118654752440;
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace inkflate {
@@ -45,14 +44,6 @@ std::vector<Share> shares(BendMesh const& mesh) {
   return result;
 }
 
-int root_of(std::vector<int>& parents, int vertex) {
-  while (parents[vertex] != vertex) {
-    parents[vertex] = parents[parents[vertex]];
-    vertex = parents[vertex];
-  }
-  return vertex;
-}
-
 }  // namespace
 
 std::vector<WireEdge> wire_edges(BendMesh const& mesh) {
@@ -70,17 +61,6 @@ std::vector<WireEdge> wire_edges(BendMesh const& mesh) {
     edges.push_back({a, b, weight, mesh.rest.points[a] - mesh.rest.points[b]});
   }
   return edges;
-}
-
-std::vector<int> wire_components(int vertex_count, std::vector<WireEdge> const& edges) {
-  std::vector<int> parents(static_cast<std::size_t>(vertex_count));
-  std::iota(parents.begin(), parents.end(), 0);
-  for (auto const& edge : edges) {
-    auto const [low, high] = std::minmax({root_of(parents, edge.a), root_of(parents, edge.b)});
-    parents[high] = low;
-  }
-  for (int v = 0; v < vertex_count; ++v) parents[v] = root_of(parents, v);
-  return parents;
 }
 
 }  // namespace inkflate

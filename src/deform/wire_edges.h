@@ -25,7 +25,4 @@ struct WireEdge {
 /// source  thesis, eq. 4.3
 std::vector<WireEdge> wire_edges(BendMesh const& mesh);
 
-/// For each vertex the lowest vertex that edges connect it with. O(n)
-std::vector<int> wire_components(int vertex_count, std::vector<WireEdge> const& edges);
-
 }  // namespace inkflate

@@ -7,7 +7,9 @@
 
 #include "base/check.h"
 #include "deform/wire_system.h"
+#include "geometry/complex.h"
 #include "geometry/trig.h"
+#include "mesh/connected_vertices.h"
 
 namespace inkflate {
 namespace {
@@ -16,9 +18,6 @@ namespace {
 constexpr double kSettledPx = 1e-8;
 
 // A rotation by t is the complex number (cos t, sin t).
-Vec2 times(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
-Vec2 conjugate(Vec2 a) { return {a.x, -a.y}; }
-
 Vec2 unit_rotation(Vec2 sum) {
   auto const rotation = normalized(sum);
   return rotation == Vec2{} ? Vec2{1, 0} : rotation;
@@ -36,7 +35,7 @@ struct WireSolver::Inside {
   explicit Inside(BendMesh const& of)
       : mesh(of),
         edges(wire_edges(of)),
-        components(wire_components(static_cast<int>(std::ssize(of.rest.points)), edges)),
+        components(connected_vertices(of.rest)),
         loose(edges, components, std::vector<char>(components.size(), 0)) {}
 
   WireSystem& system(std::span<char const> is_fixed);
@@ -71,7 +70,7 @@ std::vector<WireConstraint> WireSolver::Inside::constraints(
     Vec2 place;
     for (int k = 0; k < 3; ++k) place += p[corners[k]] * anchor.weights[k];
     for (int const corner : corners) {
-      auto const turned = times({cos, sin}, p[corner] - place);
+      auto const turned = product({cos, sin}, p[corner] - place);
       result.push_back({{corner, corner, corner}, {1, 0, 0}, target + turned});
     }
   }
@@ -82,9 +81,9 @@ std::vector<WireConstraint> WireSolver::Inside::constraints(
 std::vector<Vec2> WireSolver::Inside::rotations(std::span<Vec2 const> pose) const {
   std::vector<Vec2> sums(pose.size());
   for (auto const& [a, b, weight, rest] : edges) {
-    auto const product = times(pose[a] - pose[b], conjugate(rest)) * weight;
-    sums[a] += product;
-    sums[b] += product;
+    auto const turned = product(pose[a] - pose[b], conjugate(rest)) * weight;
+    sums[a] += turned;
+    sums[b] += turned;
   }
   for (auto& sum : sums) sum = unit_rotation(sum);
   return sums;
@@ -95,7 +94,7 @@ std::vector<Vec2> WireSolver::Inside::residuals(std::span<Vec2 const> pose) cons
   auto const turns = rotations(pose);
   std::vector<Vec2> result(pose.size());
   for (auto const& [a, b, weight, rest] : edges) {
-    auto const wanted = times((turns[a] + turns[b]) / 2, rest);
+    auto const wanted = product((turns[a] + turns[b]) / 2, rest);
     auto const pull = (wanted - (pose[a] - pose[b])) * weight;
     result[a] += pull;
     result[b] -= pull;
@@ -116,8 +115,8 @@ double WireSolver::Inside::energy(std::span<Vec2 const> pose) const {
   double sum = 0;
   for (auto const& [a, b, weight, rest] : edges) {
     auto const now = pose[a] - pose[b];
-    sum += weight *
-           (squared_norm(now - times(turns[a], rest)) + squared_norm(now - times(turns[b], rest)));
+    sum += weight * (squared_norm(now - product(turns[a], rest)) +
+                     squared_norm(now - product(turns[b], rest)));
   }
   return sum;
 }

@@ -25,7 +25,7 @@ struct WireConstraint {
 /// source  thesis, eq. 4.9 and 4.10; docs/algorithms/wire.md
 class WireSystem {
  public:
-  /// in      components: wire_components() of the edges; is_fixed: per vertex
+  /// in      components: connected_vertices() of the mesh; is_fixed: per vertex
   /// cost    one factorisation
   WireSystem(std::span<WireEdge const> edges, std::vector<int> components,
              std::vector<char> is_fixed);

@@ -105,8 +105,8 @@ struct TransformLayers {
 struct Bend {
   struct Part {
     LayerId layer = LayerId::None;  // not locked
-    std::vector<Outline>
-        outlines;               // as many as it has; kinds and sources follow each other as before
+    /// As many as it has; kinds and sources follow each other as before.
+    std::vector<Outline> outlines;
     std::vector<Vec2> samples;  // of all its strokes, one after the other, as many as they have
     std::vector<Vec2> marks;    // of its choice: those outside, then those inside
   };
@@ -121,8 +121,8 @@ struct Bend {
 /// The places by which a layer is held while it is bent, instead of those before. TransformLayers moves them; Simplify forgets them.
 struct SetBendPins {
   LayerId layer = LayerId::None;  // not locked
-  std::vector<BendPin>
-      pins;  // at most DocumentLimits::kBendPins; finite, within 1e6 px and 1000 rad
+  /// At most DocumentLimits::kBendPins; finite, within 1e6 px and 1000 rad.
+  std::vector<BendPin> pins;
 };
 
 struct RenameLayer {

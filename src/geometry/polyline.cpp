@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/polyline.h"
 
-#include <algorithm>
+#include "geometry/segment.h"
 
 namespace inkflate {
 
@@ -56,10 +56,7 @@ bool contains(std::span<Contour const> contours, Vec2 p) {
 }
 
 double squared_distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  auto const along = b - a;
-  double const size = squared_norm(along);
-  double const t = size > 0 ? std::clamp(dot(p - a, along) / size, 0.0, 1.0) : 0;
-  return squared_norm(p - (a + along * t));
+  return squared_norm(p - nearest_on_segment(p, a, b));
 }
 
 }  // namespace inkflate

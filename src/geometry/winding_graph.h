@@ -12,8 +12,8 @@ namespace inkflate {
 struct BoundaryChain {
   std::vector<Vec2> points;
   std::vector<int> tags;  // of the edge that leaves each point
-  std::vector<char>
-      is_to_bridge;  // per point: others pass here, and outside is the smaller side of the corner
+  /// Per point: others pass here, and outside is the smaller side of the corner.
+  std::vector<char> is_to_bridge;
 };
 
 /// The boundaries of the area around which edges wind at all, the area on their left (positive side). Where several meet in a point, each

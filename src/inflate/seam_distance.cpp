@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "inflate/seam_distance.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "geometry/segment.h"
 
 namespace inkflate {
 
@@ -13,8 +14,7 @@ SeamPlace nearest_on_seam(std::span<Vec2 const> line, Vec2 p) {
   int const last_edge = static_cast<int>(std::ssize(line)) - 2;
   for (int e = 0; e <= last_edge; ++e) {
     auto const along = line[e + 1] - line[e];
-    double const size = squared_norm(along);
-    double const t = size > 0 ? std::clamp(dot(p - line[e], along) / size, 0.0, 1.0) : 0;
+    double const t = share_along(p, line[e], line[e + 1]);
     double const squared = squared_norm(p - (line[e] + along * t));
     if (squared >= least) continue;
     least = squared;

@@ -38,8 +38,8 @@ struct InkSource {
   friend bool operator==(InkSource const&, InkSource const&) = default;
 };
 
-/// A closed curve: each piece starts exactly where the one before ends, the first where the last ends. Outer outlines have positive area, holes negative (geometry/polyline.h). It crosses itself only where a part was bent
-/// over itself; its area is where it winds around at all (non-zero).
+/// A closed curve: each piece starts exactly where the one before ends. Outer ones have positive area, holes negative (geometry/polyline.h).
+/// It crosses itself only where a part was bent over itself; its area is where it winds around at all (non-zero).
 struct Outline {
   std::vector<OutlinePiece> pieces;
   std::vector<InkSource> sources;  // in outline order; stretches without ink have none

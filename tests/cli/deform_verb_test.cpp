@@ -96,7 +96,8 @@ TEST_F(DeformVerb, RefusesPinsThatMeanNothingAndSaysWhich) {
         Case{R"({"pins": [{"at": [100, 200], "part": "leg"}]})", "no part \"leg\""},
         Case{R"({"pins": [{"at": [100, 200], "part": 3}]})", "no part \"3\""},
         Case{R"({"pins": [{"at": [100, 200], "part": "box"}]})", "px from the line of \"box\""},
-        Case{R"({"pins": [{"at": [300, 270]}]})", "50 px from the line of the nearest part, \"bar\""},
+        Case{R"({"pins": [{"at": [300, 270]}]})",
+             "50 px from the line of the nearest part, \"bar\""},
         Case{R"({"pins": [], "mode": "soft"})", "\"soft\""},
         Case{R"({"pins": [], "body": 2})", "0.003 to 1"},
         Case{R"({"pins": [], "pin": []})", "\"pin\""}}) {

@@ -27,7 +27,8 @@ Document with_limb(Document const& document, std::string name, Vec2 from, Vec2 t
 Document jointed_document() {
   auto document =
       with_layer(empty_document(), drawn_layer("body", ellipse_contour({400, 450}, 160, 260)),
-                 {line_stroke({{400, 300}, {400, 450}, {400, 600}})});
+                 {line_stroke({{400, 300}, {400, 450}, {400, 600}}),
+                  line_stroke({{470.30, 361.19}, {480, 400}, {489.70, 438.81}})});
   document = with_limb(document, "arm", {480, 400}, {720, 340}, 40);
   document = with_limb(document, "hand", {715, 341}, {860, 305}, 25);
   return with_limb(document, "leg", {430, 640}, {460, 860}, 50);

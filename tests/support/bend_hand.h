@@ -9,7 +9,8 @@
 
 namespace inkflate {
 
-/// A body with an arm, on which hangs a hand, and a leg; ids 1 to 4 (body, arm, hand, leg). Each has a stroke along its middle.
+/// A body with an arm, on which hangs a hand, and a leg; ids 1 to 4 (body, arm, hand, leg). Each has a stroke along its
+/// middle, and the body one more where the arm's mouth is.
 Document jointed_document();
 
 /// The ids of its parts.
