@@ -13,6 +13,9 @@ namespace {
 // As many steps back find the rest pose again. Farther ones begin a new one, which nobody sees.
 constexpr std::size_t kVersions = 64;
 
+// A hand that takes hold as near as this to where it let go means the same place.
+constexpr double kSamePlaceEdges = 3;
+
 bool has_same_places(Stroke const& a, Stroke const& b) {
   return std::equal(a.samples.begin(), a.samples.end(), b.samples.begin(), b.samples.end(),
                     [](Sample const& p, Sample const& q) { return p.position == q.position; });
@@ -105,6 +108,18 @@ void BendPart::remember(BendVersion version) {
   }
   if (versions_.size() >= kVersions) versions_.erase(versions_.begin() + 1);
   versions_.push_back(now_);
+}
+
+void BendPart::leave_loose(BendAnchor const& place) {
+  auto version = now_;
+  version.loose_end = place;
+  remember(std::move(version));
+}
+
+bool BendPart::is_left_loose(std::optional<Vec2> place) const {
+  if (!now_.loose_end) return false;
+  auto const end = place_of(mesh().rest, now_.pose, *now_.loose_end);
+  return !place || distance(*place, end) > kSamePlaceEdges * mesh().edge_px;
 }
 
 std::optional<Error> BendPart::make_ready(BendOptions const& options) {

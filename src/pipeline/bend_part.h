@@ -38,6 +38,8 @@ struct BendVersion {
   BendSource source;
   BendPose pose = {};  // empty: at rest
   std::vector<HeldPin> pins = {};
+  std::optional<BendAnchor> loose_end =
+      {};  // the place that was dragged here last, if no pin holds it
 };
 
 /// A layer or stroke at rest, its mesh once it is bent, and the poses in which documents have had it.
@@ -66,6 +68,10 @@ class BendPart {
 
   /// A document has it so: what it is now.
   void remember(BendVersion version);
+  /// What it is now came of dragging this place, which no pin holds.
+  void leave_loose(BendAnchor const& place);
+  /// Whether that is what came of dragging another place than this, which no pin holds either; none: a pin does.
+  bool is_left_loose(std::optional<Vec2> place) const;
 
   /// It in a pose, as a Bend command has it.
   Bend::Part bent_layer(BendPose const& pose) const;

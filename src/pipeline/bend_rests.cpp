@@ -42,6 +42,18 @@ void BendRests::meet(Document const& document) {
   joints_.meet(document, parts_);
 }
 
+void BendRests::set_loose_ends(BendSource const& held, std::optional<Vec2> by) {
+  auto const set = [&](std::shared_ptr<BendPart>& part) {
+    auto const& source = part->now().source;
+    bool const is_held = source == held;
+    if (is_held ? part->is_left_loose(by) : part->is_left_loose({})) {
+      part = std::make_shared<BendPart>(source);
+    }
+  };
+  for (auto& [layer, part] : parts_) set(part);
+  for (auto& part : strokes_) set(part);
+}
+
 Result<BendRoot> BendRests::root(Document const& document, LayerId layer,
                                  BendOptions const& options) {
   auto const found = layer_of(document, layer);

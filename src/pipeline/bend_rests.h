@@ -16,6 +16,12 @@ class BendRests {
   /// Takes another document: its layers are versions of parts that are known, or new parts.
   void meet(Document const& document);
 
+  /// What was dragged by a place that no pin holds would spring back as soon as anything else is held: where that happens next, its shape
+  /// now is its rest. But what is taken by the same place again goes on from the rest that it had, so that it can be dragged back.
+  ///
+  /// held: the part that is taken now, a layer or the stroke; by: the place, none: by a pin. in: the document that was met last
+  void set_loose_ends(BendSource const& held, std::optional<Vec2> by);
+
   /// A part to be held by hand, ready to be bent. in: the document that was met last
   /// errors  BadInput (no such layer or stroke; hidden or locked), NothingThere (a layer without outlines), those of Bender::make
   Result<BendRoot> root(Document const& document, LayerId layer, BendOptions const& options);

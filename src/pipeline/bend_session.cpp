@@ -30,6 +30,11 @@ Vec2 on_sheet(Vec2 p) {
   return {std::clamp(p.x, -most, most), std::clamp(p.y, -most, most)};
 }
 
+BendSource source_of(Document const& document, BendGrab const& what) {
+  if (what.layer != LayerId::None) return {layer_of(document, what.layer), {}};
+  return {{}, stroke_of(document, *what.stroke)};
+}
+
 Error bad_input(char const* message) { return {ErrorCode::BadInput, message}; }
 
 }  // namespace
@@ -40,12 +45,16 @@ struct BendSession::Inside {
   std::optional<BendRig> rig;  // while something is held
   std::shared_ptr<BendPart> part;
   int handle = 0;
-  BendAnchor anchor;    // of the handle
-  Vec2 from_place;      // from where the hand took it to where the handle is
-  int idle_rounds = 0;  // since the hand moved
+  BendAnchor anchor;      // of the handle
+  Vec2 from_place;        // from where the hand took it to where the handle is
+  bool is_loose = false;  // no pin holds the place
+  int idle_rounds = 0;    // since the hand moved
 
   std::optional<Error> grab(Document const& document, BendGrab const& what, BendReach reach) {
     rests.meet(document);
+    auto const by = what.pin ? std::nullopt : std::optional(what.place);
+    is_loose = by.has_value();
+    rests.set_loose_ends(source_of(document, what), by);
     auto root = what.layer == LayerId::None ? rests.root(document, *what.stroke, options)
                                             : rests.root(document, what.layer, options);
     if (!root) return root.error();
@@ -136,7 +145,10 @@ std::vector<Command> BendSession::commands() const {
 }
 
 void BendSession::release(Document const* result) {
-  if (inside_->rig && result != nullptr) inside_->rig->remember(*result);
+  if (inside_->rig && result != nullptr) {
+    inside_->rig->remember(*result);
+    if (inside_->is_loose) inside_->part->leave_loose(inside_->anchor);
+  }
   inside_->rig.reset();
   inside_->part.reset();
 }

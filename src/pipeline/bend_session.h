@@ -31,7 +31,8 @@ struct BendGrab {
 ///
 /// A part's rest pose is what it was when it was first grabbed. It stays that for every document that came of it by this session's
 /// commands, or by undo and redo among those: they are known by the layer that they share. Any other change of the layer, and
-/// other options, begin a new rest pose.
+/// other options, begin a new rest pose. So does what was dragged by a place without a pin, as soon as another place is taken: else it
+/// would spring back.
 ///
 /// What holds a part: its pins; the places where it joins its host, as far as the host has not moved; what lies beyond the reach. With
 /// none of these it moves as a whole. Parts that join the one that moves follow it by their mouths.

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "document/apply.h"
+#include "document/transform.h"
 #include "support/bend_hand.h"
 #include "support/characters.h"
 #include "support/editor_documents.h"
@@ -189,6 +190,26 @@ TEST(BendSession, AfterUndoADragGoesOnFromTheSameRest) {
   hand.document = first;
   auto const commands = hand.drag(body_at(kTopOfBody), {520, 220});
   EXPECT_EQ(outline_distance(second, hand.document, kBody), 0);
+}
+
+TEST(BendSession, WhatWasBentWithoutAPinStaysBentWhenAnotherPlaceIsTaken) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  hand.drag(body_at(kTopOfBody), {520, 220});
+  auto const bent = hand.document;
+  hand.drag(body_at({240, 450}), {241, 450});
+  EXPECT_LT(contour_distance(layer_of_hand(hand.document, kBody), layer_of_hand(bent, kBody)), 5);
+  hand.drag_pin(kBody, 0, kBottomOfBody + Vec2{1, 0});
+  EXPECT_LT(contour_distance(layer_of_hand(hand.document, kBody), layer_of_hand(bent, kBody)), 5);
+}
+
+TEST(BendSession, ALimbThatWasBentStaysBentWhenItsHostMoves) {
+  BendHand hand(jointed_document());
+  hand.drag({kArm, {}, {}, kTipOfArm}, kTipOfArm + Vec2{-40, -120});
+  auto const bent = layer_of_hand(hand.document, kArm);
+  hand.drag(body_at(kTopOfBody), kTopOfBody + Vec2{30, 0});
+  auto const moved = transformed(bent, Affine::translation({30, 0}));
+  EXPECT_LT(contour_distance(layer_of_hand(hand.document, kArm), moved), 0.1);
 }
 
 TEST(BendSession, OnceForgottenTheBentShapeIsTheRest) {
