@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "pipeline/bend_joints.h"
@@ -16,6 +17,10 @@ class BendRests {
   /// Takes another document: its layers are versions of parts that are known, or new parts.
   void meet(Document const& document);
 
+  /// Makes the mesh of one more part, so that a press finds it. in: the document that was met last; out: false when there is no more to do
+  /// cost    that of Bender::make
+  bool prepare(Document const& document, BendOptions const& options);
+
   /// A part to be held by hand, ready to be bent. in: the document that was met last
   /// errors  BadInput (no such layer or stroke; hidden or locked), NothingThere (a layer without outlines), those of Bender::make
   Result<BendRoot> root(Document const& document, LayerId layer, BendOptions const& options);
@@ -27,6 +32,9 @@ class BendRests {
               BendOptions const& options);
 
  private:
+  std::optional<Error> make_ready(BendPart& part, BendOptions options) const;
+
+  double least_edge_px_ = 0;  // of all parts
   BendParts parts_;
   std::vector<std::shared_ptr<BendPart>> strokes_;  // the newest last
   BendJoints joints_;
