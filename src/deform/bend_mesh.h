@@ -55,6 +55,14 @@ struct BendHandle {
 struct BendHold {
   std::span<BendHandle const> handles = {};  // any number, also at the same place
   std::span<char const> is_fixed = {};       // per vertex: it stays where it is; empty: none does
+  // Per triangle, >= 1; mode Body: how much stiffer it is than the mesh says. Empty: none is.
+  std::span<double const> stiffening = {};
+};
+
+/// How far a hand moves a shape: as BendHold has it.
+struct BendArea {
+  std::vector<char> is_fixed;
+  std::vector<double> stiffening;
 };
 
 /// What a solver has done.

@@ -56,7 +56,7 @@ BodySolver::BodySolver(BodySolver&&) noexcept = default;
 BodySolver& BodySolver::operator=(BodySolver&&) noexcept = default;
 
 double BodySolver::energy(std::span<Vec2 const> pose, BendHold const& hold) {
-  inside_->system.grip(hold.handles);
+  inside_->system.stiffen(hold);
   return inside_->system.energy(pose, SoftHandles(*inside_->mesh, hold.handles).pulls());
 }
 
@@ -66,7 +66,7 @@ BendProgress BodySolver::step(BendPose& pose, BendHold const& hold, int steps) {
         "a pose and a hold of this mesh");
   CHECK(steps >= 1, "at least one step");
   SoftHandles const handles(*inside_->mesh, hold.handles);
-  inside_->system.grip(hold.handles);
+  inside_->system.stiffen(hold);
   inside_->freedom.set_hold(hold);
   BendProgress progress;
   for (int i = 0; i < steps && !progress.is_settled; ++i) {

@@ -234,10 +234,36 @@ TEST(Bender, KnowsWhatIsBeyondReach) {
   auto const bender = made({{bar_outline(400, 40)}, {}});
   auto const& rest = bender.rest_pose();
   auto const from = bender.nearest(rest, {100, 0});
-  auto const beyond = bender.beyond_reach(from, 80);
+  auto const beyond = bender.within_reach(from, 80).is_fixed;
   ASSERT_EQ(beyond.size(), rest.size());
   for (std::size_t v = 0; v < rest.size(); ++v)
     EXPECT_EQ(beyond[v] != 0, distance(rest[v], {100, 0}) > 80) << v;
+}
+
+TEST(Bender, BendsRounderWhereItIsStifferTowardsTheEndOfAReach) {
+  auto bender = made({{bar_outline(400, 40)}, {}});
+  auto const& rest = bender.rest_pose();
+  auto const tip = bender.nearest(rest, {400, 0});
+  auto const area = bender.within_reach(tip, 200);
+  BendHandle const handle = {tip, {380, 60}};
+  auto const sharpest = [&](BendHold const& hold) {
+    auto pose = rest;
+    bender.step(pose, hold, 60);
+    // By how much the upper side turns within 10 px, at most.
+    double most = 0;
+    for (double x = 150; x <= 390; x += 5) {
+      auto const direction = [&](double from) {
+        auto const place = [&](double at) {
+          return place_of(bender.mesh().rest, pose, bender.nearest(rest, {at, -20}));
+        };
+        return normalized(place(from + 5) - place(from));
+      };
+      most = std::max(most, std::abs(cross(direction(x), direction(x - 10))));
+    }
+    return most;
+  };
+  double const kinked = sharpest({{&handle, 1}, area.is_fixed, {}});
+  EXPECT_LT(sharpest({{&handle, 1}, area.is_fixed, area.stiffening}), 0.8 * kinked);
 }
 
 TEST(Bender, RefusesWhatItCannotBend) {
