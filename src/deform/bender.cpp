@@ -63,7 +63,7 @@ ShapeMesh mesh_of(BendShape const& shape, BendOptions const& options) {
     if (options.mode == BendMode::Wire) {
       auto wire = wire_mesh(shape.outlines, options.strip_half_width_px);
       if (!wire.mesh.lines.empty()) return wire;
-    } else if (auto body = body_mesh(shape.outlines, options.body)) {
+    } else if (auto body = body_mesh(shape.outlines, options.body, options.least_edge_px)) {
       return std::move(*body);
     }
     return strips_along(shape.outlines, size);
@@ -127,6 +127,8 @@ Result<Bender> Bender::make(BendShape rest, BendOptions const& options) {
     return Error{ErrorCode::BadOption, "the body is out of its range"};
   if (!(options.strip_half_width_px >= 0 && std::isfinite(options.strip_half_width_px)))
     return Error{ErrorCode::BadOption, "the strip's width is out of its range"};
+  if (!(options.least_edge_px >= 0 && std::isfinite(options.least_edge_px)))
+    return Error{ErrorCode::BadOption, "the least edge is out of its range"};
   auto meshed = mesh_of(rest, options);
   if (meshed.mesh.rest.triangles.empty())
     return Error{ErrorCode::NothingThere, "there is nothing to bend"};

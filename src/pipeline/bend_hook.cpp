@@ -53,6 +53,16 @@ Weights nearest_weights(Corners const& corners, Vec2 p) {
   return best;
 }
 
+/// No place of the triangle is nearer to p than this, squared.
+double least_away(Corners const& corners, Vec2 p) {
+  auto const [a, b, c] = corners;
+  double const x =
+      std::max({std::min({a.x, b.x, c.x}) - p.x, p.x - std::max({a.x, b.x, c.x}), 0.0});
+  double const y =
+      std::max({std::min({a.y, b.y, c.y}) - p.y, p.y - std::max({a.y, b.y, c.y}), 0.0});
+  return x * x + y * y;
+}
+
 Corners corners_of(Triangle const& triangle, std::span<Vec2 const> pose) {
   return {pose[triangle[0]], pose[triangle[1]], pose[triangle[2]]};
 }
@@ -93,6 +103,7 @@ BendHook hook_at(BendMesh const& mesh, BendPose const& pose, Vec2 place) {
   double least = std::numeric_limits<double>::infinity();
   for (int t = 0; t < std::ssize(mesh.rest.triangles); ++t) {
     auto const corners = corners_of(mesh.rest.triangles[t], pose);
+    if (least_away(corners, place) >= least) continue;
     auto const weights = nearest_weights(corners, place);
     double const far = squared_norm(blend(corners, weights) - place);
     if (far >= least) continue;

@@ -7,7 +7,8 @@ from math import sqrt
 
 from sketching.sheet import INK
 
-SPACING_PX = 7  # between the positions that a pen reports, on the screen
+SPACING_PX = 7        # between the positions that a pen reports, on the screen
+BEND_SPACING_PX = 12  # that a mouse reports while it bends
 
 
 def rounded(value):
@@ -111,6 +112,38 @@ class Recording:
     def click(self, place, **event):
         self.put(click=self.screen(place), **event)
 
+    def bend(self, *way, **event):
+        """Drags a line, a part or a pin with the Deform tool, slowly, from the first of these places through the others to the last."""
+        self.pick("d")
+        self.put(stroke=[self.screen(point) for point in even(way, BEND_SPACING_PX / self.scale)], kind="mouse", **event)
+
+    def bend_with_wheel(self, notches, *way):
+        """The same, and in the middle of it the wheel is turned: upwards the drag reaches farther."""
+        self.pick("d")
+        at_hand = [self.screen(point) for point in even(way, BEND_SPACING_PX / self.scale)]
+        self.put(pointer="press", at=at_hand[0])
+        for i, place in enumerate(at_hand):
+            self.put(pointer="move", at=place)
+            if i == len(at_hand) // 2:
+                self.put(wheel=[0, -100 * notches], at=place)
+        self.put(pointer="release", at=at_hand[-1])
+
+    def pin(self, *places):
+        """Puts pins on lines."""
+        self.pick("d")
+        for place in places:
+            self.click(place)
+
+    def turn_pin(self, place, steps):
+        """A pin is turned by its key, clockwise, and holds its turn from then on."""
+        self.click(place)
+        for _ in range(abs(steps)):
+            self.key("." if steps > 0 else ",")
+
+    def reach(self, share=""):
+        """How far a drag reaches, as a share of the part; none: as the part is held."""
+        self.action("bend_reach", str(share))
+
     def draw(self, marks, **event):
         """All lines of a part, help lines with their own tool."""
         for mark in marks:
@@ -128,6 +161,19 @@ class Recording:
         self.key("2")
         self.put(picture="model.png")
 
+    def go_on(self):
+        """Back to the drawing, which lies in the window as it did at first."""
+        self.put(resize=[1000, 800])
+        self.action("show_place", "0,0,1000,800")
+        self.action("zoom_actual")
+        self.scale, self.x, self.y = 1.0, 0.0, 0.0
+
+    def result(self, name, takes_back=True):
+        """A small picture of what was bent; then all of it since the last one may be taken back."""
+        self.put(resize=[256, 208])
+        self.action("zoom_fit")
+        self.put(picture=f"{name}.png")
+        self.go_on()
+
     def text(self):
-        self.show()
         return "\n".join(self.lines) + "\n"
