@@ -86,7 +86,6 @@ BendProgress BodySolver::Inside::step_once(BendPose& pose, SoftHandles const& ha
   if (!std::isfinite(progress.energy)) return progress;
   double const fall = system.newton_moves(pose, pulls, is_fixed, moves);
   freedom.remove_from(moves, pose);
-  progress.decrement = fall / 2;
   double const move_px = largest(moves);
   bool const is_move = move_px > kStillPx && std::isfinite(move_px);
   if (!is_move || !search(pose, pulls, fall, progress)) return progress;

@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "base/rng.h"
 #include "geometry/affine.h"
@@ -335,22 +333,6 @@ TEST(Bender, BendsAMirroredShapeToTheMirroredResult) {
                                                         bent_down[(i + 1) % bent_down.size()]));
     EXPECT_LT(std::sqrt(nearest), 2);
   }
-}
-
-TEST(Bender, TellsHowFastItIs) {
-  auto const shape = face_shape(500);
-  using Clock = std::chrono::steady_clock;
-  auto const start = Clock::now();
-  auto const bender = made(shape);
-  auto const after_make = Clock::now();
-  auto const pose = posed(bender.rest_pose(), strong_bend(shape));
-  auto const before_bent = Clock::now();
-  auto const bent = bender.bent(pose);
-  std::chrono::duration<double, std::milli> const make = after_make - start;
-  std::chrono::duration<double, std::milli> const ride = Clock::now() - before_bent;
-  std::printf("%zu vertices: made in %.2f ms, bent in %.3f ms\n", pose.size(), make.count(),
-              ride.count());
-  EXPECT_EQ(bent.outlines.size(), shape.outlines.size());
 }
 
 }  // namespace
