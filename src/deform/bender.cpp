@@ -142,13 +142,14 @@ BendAnchor Bender::nearest(BendPose const& pose, Vec2 canvas) const {
   return inside_->anchors.nearest(pose, canvas);
 }
 
-std::vector<char> Bender::beyond_reach(BendAnchor const& from, double reach_px) const {
+BendArea Bender::within_reach(BendAnchor const& from, double reach_px) const {
   auto const& mesh = inside_->meshed.mesh.rest;
   auto const ways_px = ways_inside(mesh, from);
-  std::vector<char> beyond;
-  for (double const px : ways_px) beyond.push_back(px > reach_px ? 1 : 0);
-  free_hangers_on(mesh, ways_px, beyond);
-  return beyond;
+  BendArea area;
+  for (double const px : ways_px) area.is_fixed.push_back(px > reach_px ? 1 : 0);
+  free_hangers_on(mesh, ways_px, area.is_fixed);
+  area.stiffening = stiffening_within(mesh, ways_px, reach_px);
+  return area;
 }
 
 BendProgress Bender::step(BendPose& pose, BendHold const& hold, int steps) {

@@ -78,7 +78,7 @@ struct BendSession::Inside {
   }
 
   void set_reach(BendReach reach) {
-    rig->fix(reach.px ? part->bender().beyond_reach(anchor, *reach.px) : std::vector<char>{});
+    rig->keep_within(reach.px ? part->bender().within_reach(anchor, *reach.px) : BendArea{});
   }
 
   bool is_settled() const { return idle_rounds >= kMostIdleRounds || rig->is_settled(); }

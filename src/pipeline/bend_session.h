@@ -14,8 +14,8 @@ namespace inkflate {
 
 /// How much of a part may move when one of its places is dragged.
 struct BendReach {
-  std::optional<double> px =
-      {};  // > 0, measured inside the shape: all that is farther stays. None: the whole part
+  /// > 0, measured inside the shape: all that is farther stays. None: the whole part.
+  std::optional<double> px = {};
 };
 
 /// What the hand holds.
