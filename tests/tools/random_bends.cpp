@@ -170,6 +170,7 @@ void bend_figures(FigureWay const& way, int pins, double length_px, int count, s
   int any = 0;
   int sides = 0;
   int limbs = 0;
+  int kinks = 0;
   int turned = 0;
   double error_px = 0;
   for (int i = 0; i < count; ++i) {
@@ -192,15 +193,17 @@ void bend_figures(FigureWay const& way, int pins, double length_px, int count, s
     any += crossings.has_sides || crossings.has_limbs || crossings.has_kinks ? 1 : 0;
     sides += crossings.has_sides ? 1 : 0;
     limbs += crossings.has_limbs ? 1 : 0;
+    kinks += crossings.has_kinks ? 1 : 0;
     turned += turned_triangles(mesh, pose) > 0 ? 1 : 0;
     error_px += figure_shape_error(contour_of(mesh, mesh.rest.points), contour_of(mesh, pose));
   }
   auto const share = [&](int part) { return 100.0 * part / count; };
   std::printf(
-      "%4.0f px, %d pins  %-18s turned %5.1f %%  crossed %5.1f %% (sides of a limb %5.1f, "
-      "limbs %5.1f)  shape %6.2f px\n",
-      length_px, pins, way.name, share(turned), share(any), share(sides), share(limbs),
-      error_px / count);
+      "%4.0f px, %d pins  %-16s turned %4.1f %%  crossed %4.1f %% (sides of a limb %4.1f, along "
+      "one "
+      "side %4.1f, limbs %4.1f)  shape %5.2f px\n",
+      length_px, pins, way.name, share(turned), share(any), share(sides), share(kinks),
+      share(limbs), error_px / count);
 }
 
 void compare(int count, std::uint64_t seed) {
