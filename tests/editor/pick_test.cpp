@@ -49,8 +49,7 @@ TEST(Pick, AHoleIsNotTheLayer) {
 
 TEST(Pick, WhereALayerLiesOverItselfItIsTheLayer) {
   auto const doubled = [](Layer& layer) { layer.outlines.push_back(layer.outlines.front()); };
-  auto const document =
-      with_changed(with_disc(empty_document(), {500, 500}, 100), kFirst, doubled);
+  auto const document = with_changed(with_disc(empty_document(), {500, 500}, 100), kFirst, doubled);
   EXPECT_EQ(pick_layer(document, {500, 500}, 0, PickDepth::Nearest), kFirst);
 }
 
