@@ -38,7 +38,7 @@ class BlockCholesky {
 
   /// Replaces the numbers of A by those of L.
   /// out     false: not positive definite, to rounding; clear and add again
-  /// cost    about 0.5 ms for a mesh of 1200 vertices
+  /// cost    about 0.3 ms for a mesh of 1200 vertices
   [[nodiscard]] bool factor();
 
   /// Replaces the right-hand side by the solution. values: 2 * size(); after factor() has gone well

@@ -54,6 +54,20 @@ TEST(BodyMesh, FillsTheAreaOfAShapeWithAHole) {
   EXPECT_NEAR(mesh_area(shape->mesh.rest), wanted, 2e-3 * wanted);
 }
 
+TEST(BodyMesh, IsAsCoarseAsWantedButNoCoarserThanAHundredEdgesAround) {
+  std::vector<Outline> const disc = {disc_outline({500, 400}, 100)};
+  auto const edges = [&](double least_edge_px) {
+    auto const shape = body_mesh(disc, 1, least_edge_px);
+    return shape ? std::ssize(shape->mesh.lines.at(0).vertices) : 0;
+  };
+  auto const own = edges(0);
+  EXPECT_EQ(edges(0.1), own);
+  auto const wanted = edges(4);
+  EXPECT_LT(wanted, own / 2);
+  EXPECT_NEAR(static_cast<double>(wanted), 2 * std::acos(-1.0) * 100 / 4, 10);
+  EXPECT_GE(edges(1e9), 90);
+}
+
 TEST(BodyMesh, IsTheSameForASmallDrawingAsForALargeOne) {
   auto const small = filled({bar_outline(3, 0.5)});
   auto const large = filled({bar_outline(3 * 8192, 0.5 * 8192)});

@@ -64,6 +64,24 @@ TEST(BendSession, DraggingBackGivesTheShapeBack) {
   }
 }
 
+TEST(BendSession, PreparingEndsAndChangesNothing) {
+  BendHand hand(jointed_document());
+  BendHand prepared(jointed_document());
+  int calls = 0;
+  while (!prepared.session.is_prepared(prepared.document, prepared.options) && calls < 100) {
+    prepared.session.prepare(prepared.document, prepared.options);
+    ++calls;
+  }
+  EXPECT_EQ(calls, 5);  // one for each part, and the joints
+  auto const to = kTipOfArm + Vec2{-40, 120};
+  hand.drag({kArm, {}, {}, kTipOfArm}, to);
+  prepared.drag({kArm, {}, {}, kTipOfArm}, to);
+  for (auto const layer : {kBody, kArm, kHand, kLeg}) {
+    EXPECT_LT(outline_distance(hand.document, prepared.document, layer), 1e-6);
+  }
+  EXPECT_FALSE(prepared.session.is_prepared(prepared.document, prepared.options));
+}
+
 TEST(BendSession, PinsHoldAndTheHeldPlaceGoesWithTheHand) {
   BendHand hand(jointed_document());
   hand.set_pins(kBody, {{kBottomOfBody}, {{240, 450}}});
