@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/option_values.h"
+#include "geometry/segment.h"
 #include "geometry/trig.h"
 
 namespace inkflate::cli {
@@ -24,13 +25,6 @@ struct Hit {
   Vec2 place;
   double squared_px = std::numeric_limits<double>::infinity();
 };
-
-Vec2 nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) {
-  Vec2 const along = b - a;
-  double const squared = dot(along, along);
-  double const t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0;
-  return a + along * t;
-}
 
 void look_at(Layer const& layer, Vec2 at, Hit& best) {
   for (auto const& outline : layer.outlines) {

@@ -45,7 +45,7 @@ Vec2 place_of(FlatMesh const& mesh, std::span<Vec2 const> pose, BendAnchor const
 struct BendHandle {
   BendAnchor anchor;
   Vec2 target;  // canvas px
-  /// By this the shape around it is turned from its rest, x towards y; none: as it likes.
+  /// By this the shape around it is turned from its rest, x towards y, within 1e6 rad; none: as it likes.
   std::optional<double> turn_rad = {};
   /// >= 0; mode Body: so far around it the shape is stiffer, as if a fingertip held it and not a needle.
   double grip_px = 0;
@@ -55,12 +55,19 @@ struct BendHandle {
 struct BendHold {
   std::span<BendHandle const> handles = {};  // any number, also at the same place
   std::span<char const> is_fixed = {};       // per vertex: it stays where it is; empty: none does
+  // Per triangle, >= 1; mode Body: how much stiffer it is than the mesh says. Empty: none is.
+  std::span<double const> stiffening = {};
+};
+
+/// How far a hand moves a shape: as BendHold has it.
+struct BendArea {
+  std::vector<char> is_fixed;
+  std::vector<double> stiffening;
 };
 
 /// What a solver has done.
 struct BendProgress {
   double energy = 0;           // with the handles' share, after the steps
-  double decrement = 0;        // how much the next step would gain at most, about; 0 at the minimum
   double largest_move_px = 0;  // of a vertex in the last step
   bool is_settled = false;     // nothing would move any more that one could see
 };

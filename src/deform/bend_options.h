@@ -15,7 +15,12 @@ struct BendOptions {
   /// Of mode Wire, >= 0; 0: as wide as the spacing of the line's vertices.
   double strip_half_width_px = 0;
 
+  double least_edge_px =
+      0;  // >= 0; of mode Body: no finer than this has a shape to be bent that is small in its drawing
+
   static constexpr double kLeastBody = 0.003;  // docs/algorithms/deform.md
+
+  friend bool operator==(BendOptions const&, BendOptions const&) = default;
 };
 
 }  // namespace inkflate

@@ -63,7 +63,7 @@ ShapeMesh mesh_of(BendShape const& shape, BendOptions const& options) {
     if (options.mode == BendMode::Wire) {
       auto wire = wire_mesh(shape.outlines, options.strip_half_width_px);
       if (!wire.mesh.lines.empty()) return wire;
-    } else if (auto body = body_mesh(shape.outlines, options.body)) {
+    } else if (auto body = body_mesh(shape.outlines, options.body, options.least_edge_px)) {
       return std::move(*body);
     }
     return strips_along(shape.outlines, size);
@@ -127,6 +127,8 @@ Result<Bender> Bender::make(BendShape rest, BendOptions const& options) {
     return Error{ErrorCode::BadOption, "the body is out of its range"};
   if (!(options.strip_half_width_px >= 0 && std::isfinite(options.strip_half_width_px)))
     return Error{ErrorCode::BadOption, "the strip's width is out of its range"};
+  if (!(options.least_edge_px >= 0 && std::isfinite(options.least_edge_px)))
+    return Error{ErrorCode::BadOption, "the least edge is out of its range"};
   auto meshed = mesh_of(rest, options);
   if (meshed.mesh.rest.triangles.empty())
     return Error{ErrorCode::NothingThere, "there is nothing to bend"};
@@ -140,13 +142,14 @@ BendAnchor Bender::nearest(BendPose const& pose, Vec2 canvas) const {
   return inside_->anchors.nearest(pose, canvas);
 }
 
-std::vector<char> Bender::beyond_reach(BendAnchor const& from, double reach_px) const {
+BendArea Bender::within_reach(BendAnchor const& from, double reach_px) const {
   auto const& mesh = inside_->meshed.mesh.rest;
   auto const ways_px = ways_inside(mesh, from);
-  std::vector<char> beyond;
-  for (double const px : ways_px) beyond.push_back(px > reach_px ? 1 : 0);
-  free_hangers_on(mesh, ways_px, beyond);
-  return beyond;
+  BendArea area;
+  for (double const px : ways_px) area.is_fixed.push_back(px > reach_px ? 1 : 0);
+  free_hangers_on(mesh, ways_px, area.is_fixed);
+  area.stiffening = stiffening_within(mesh, ways_px, reach_px);
+  return area;
 }
 
 BendProgress Bender::step(BendPose& pose, BendHold const& hold, int steps) {

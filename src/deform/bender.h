@@ -41,10 +41,10 @@ class Bender {
   /// The place of the drawn lines that is nearest to a place of the canvas while the shape lies in this pose.
   BendAnchor nearest(BendPose const& pose, Vec2 canvas) const;
 
-  /// Which vertices are farther than this from a place, measured inside the rest shape; but for small ends that hang on what is nearer
-  /// (deform/hangers_on.h).
+  /// How far a hand at a place moves the shape: all that is farther than this, measured inside the rest shape, stays, but for small
+  /// ends that hang on what is nearer (deform/hangers_on.h); towards there the shape is stiffer, so that it bends without a kink.
   /// cost    O(n log n)
-  std::vector<char> beyond_reach(BendAnchor const& from, double reach_px) const;
+  BendArea within_reach(BendAnchor const& from, double reach_px) const;
 
   /// Goes on from a pose by at most `steps` steps of the mode's solver: BodySolver::step, WireSolver::step.
   BendProgress step(BendPose& pose, BendHold const& hold, int steps);

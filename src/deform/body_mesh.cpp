@@ -13,6 +13,8 @@ namespace {
 constexpr double kEdgesAlongRims = 400;
 // 6 px of 1000 px.
 constexpr double kEdgesAcross = 160;
+// What is small in its drawing may have so much longer edges: still 100 around.
+constexpr double kMostCoarser = 4;
 // Points between two vertices of the rim before it is thinned.
 constexpr double kFinePoints = 2;
 // Where a shape is thin, so many edges are as long as it is wide; edges become no shorter than this share of the longest.
@@ -156,9 +158,11 @@ std::vector<LineSamples> sample_rims(std::span<Outline const> outlines, double e
   return thinned_rims(outlines, fine, spacing_of(fine, edge_px));
 }
 
-std::optional<ShapeMesh> body_mesh(std::span<Outline const> outlines, double body) {
+std::optional<ShapeMesh> body_mesh(std::span<Outline const> outlines, double body,
+                                   double least_edge_px) {
   if (box_of(outlines).longer_side() < kLeastSizePx) return {};
-  double const edge_px = rim_edge_px(outlines);
+  double const own_px = rim_edge_px(outlines);
+  double const edge_px = std::clamp(least_edge_px, own_px, kMostCoarser * own_px);
   auto const fine = fine_rims(outlines, edge_px);
   auto spacing = spacing_of(fine, edge_px);
   for (int i = 0; i <= kRefinements; ++i) {

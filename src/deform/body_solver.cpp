@@ -64,7 +64,7 @@ BodySolver::BodySolver(BodySolver&&) noexcept = default;
 BodySolver& BodySolver::operator=(BodySolver&&) noexcept = default;
 
 double BodySolver::energy(std::span<Vec2 const> pose, BendHold const& hold) {
-  inside_->system.grip(hold.handles);
+  inside_->system.stiffen(hold);
   return inside_->system.energy(pose, SoftHandles(*inside_->mesh, hold.handles).pulls());
 }
 
@@ -74,7 +74,7 @@ BendProgress BodySolver::step(BendPose& pose, BendHold const& hold, int steps) {
         "a pose and a hold of this mesh");
   CHECK(steps >= 1, "at least one step");
   SoftHandles const handles(*inside_->mesh, hold.handles);
-  inside_->system.grip(hold.handles);
+  inside_->system.stiffen(hold);
   inside_->freedom.set_hold(hold);
   BendProgress progress;
   for (int i = 0; i < steps && !progress.is_settled; ++i) {
@@ -94,7 +94,6 @@ BendProgress BodySolver::Inside::step_once(BendPose& pose, SoftHandles const& ha
   if (!std::isfinite(progress.energy)) return progress;
   double const fall = system.newton_moves(pose, pulls, is_fixed, moves);
   freedom.remove_from(moves, pose);
-  progress.decrement = fall / 2;
   double const move_px = largest(moves);
   bool const is_move = move_px > kStillPx && std::isfinite(move_px);
   if (!is_move || !search(pose, pulls, fall, progress)) return progress;

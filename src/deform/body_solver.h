@@ -33,7 +33,8 @@ class BodySolver {
   /// cost    about 0.5 ms per step for 1500 vertices
   BendProgress step(BendPose& pose, BendHold const& hold, int steps);
 
-  /// The energy of a pose, px^2, with the handles' share; infinite where a triangle is turned over.
+  /// The energy of a pose, px^2, with the handles' share; infinite where a triangle is turned over. Not const: the handles' grips are taken
+  /// over as in a step.
   double energy(std::span<Vec2 const> pose, BendHold const& hold);
 
  private:

@@ -52,10 +52,15 @@ BodySystem::BodySystem(BendMesh const& mesh)
   damping_ = kDamping * *std::max_element(mesh.stiffness.begin(), mesh.stiffness.end());
 }
 
-void BodySystem::grip(std::span<BendHandle const> handles) {
-  if (!grips_.update(handles)) return;
+void BodySystem::stiffen(BendHold const& hold) {
+  bool const is_gripped_anew = grips_.update(hold.handles);
+  bool const is_same = std::equal(hold.stiffening.begin(), hold.stiffening.end(),
+                                  stiffening_.begin(), stiffening_.end());
+  if (!is_gripped_anew && is_same) return;
+  stiffening_.assign(hold.stiffening.begin(), hold.stiffening.end());
   for (std::size_t t = 0; t < rest_.size(); ++t) {
-    rest_[t].weight = weights_[t] * grips_.factors()[t];
+    double const stiffening = stiffening_.empty() ? 1 : stiffening_[t];
+    rest_[t].weight = weights_[t] * grips_.factors()[t] * stiffening;
   }
 }
 

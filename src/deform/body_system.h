@@ -19,8 +19,8 @@ class BodySystem {
   /// mesh: has to outlive this
   explicit BodySystem(BendMesh const& mesh);
 
-  /// Makes the shape stiffer around the handles that have a grip.
-  void grip(std::span<BendHandle const> handles);
+  /// Makes the shape stiffer around the handles that have a grip, and as the hold says.
+  void stiffen(BendHold const& hold);
 
   /// Infinite where a triangle is turned over.
   double energy(std::span<Vec2 const> pose, std::span<Pull const> pulls) const;
@@ -56,7 +56,8 @@ class BodySystem {
   BendMesh const* mesh_;
   std::vector<RestTriangle> rest_;
   Grips grips_;
-  std::vector<double> weights_;  // of the triangles without a grip
+  std::vector<double> stiffening_;  // of the hold that was last
+  std::vector<double> weights_;     // of the triangles without any of that
   BlockCholesky hessian_;
   std::vector<Slots> slots_;
   std::vector<int> diagonal_;  // per vertex

@@ -24,7 +24,7 @@ class Grips {
   /// One per triangle, 1 .. kStiffest.
   std::vector<double> const& factors() const { return factors_; }
 
-  static constexpr double kStiffest = 30;
+  static constexpr double kStiffest = 60;
 
  private:
   struct Grip {

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
+// At the end of a reach, and the share of it from which on it is stiffer.
+constexpr double kStiffestEnd = 6;
+constexpr double kEndShare = 0.5;
+
 /// Where the last straight stretch of a way starts.
 struct Corner {
   Vec2 place;
@@ -106,6 +110,17 @@ class WayFinder {
 
 std::vector<double> ways_inside(FlatMesh const& mesh, BendAnchor const& from) {
   return WayFinder(mesh).run(from);
+}
+
+std::vector<double> stiffening_within(FlatMesh const& mesh, std::span<double const> ways_px,
+                                      double reach_px) {
+  std::vector<double> stiffening;
+  for (auto const& [a, b, c] : mesh.triangles) {
+    double const share = (ways_px[a] + ways_px[b] + ways_px[c]) / 3 / reach_px;
+    double const end = std::clamp((share - kEndShare) / (1 - kEndShare), 0.0, 1.0);
+    stiffening.push_back(1 + (kStiffestEnd - 1) * end * end);
+  }
+  return stiffening;
 }
 
 }  // namespace inkflate

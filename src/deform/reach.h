@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "deform/bend_mesh.h"
@@ -13,5 +14,12 @@ namespace inkflate {
 /// cost    O(n log n)
 /// source  Mitchell, Mount, Papadimitriou 1987, "The Discrete Geodesic Problem", with one source per vertex; docs/algorithms/ride.md
 std::vector<double> ways_inside(FlatMesh const& mesh, BendAnchor const& from);
+
+/// How much stiffer each triangle is towards the end of a reach: there the shape would bend most, next to what stays, and have a kink.
+///
+/// in      ways_px: of each vertex, as ways_inside gives them; reach_px > 0
+/// out     1 near the hand, more from half of the reach on; all that is beyond is as stiff as its end
+std::vector<double> stiffening_within(FlatMesh const& mesh, std::span<double const> ways_px,
+                                      double reach_px);
 
 }  // namespace inkflate

@@ -42,7 +42,6 @@ struct WireSolver::Inside {
   std::vector<WireConstraint> constraints(std::span<BendHandle const> handles) const;
   std::vector<Vec2> rotations(std::span<Vec2 const> pose) const;
   std::vector<Vec2> residuals(std::span<Vec2 const> pose) const;
-  double gain(std::span<Vec2 const> moves) const;
   double energy(std::span<Vec2 const> pose) const;
 };
 
@@ -102,13 +101,6 @@ std::vector<Vec2> WireSolver::Inside::residuals(std::span<Vec2 const> pose) cons
   return result;
 }
 
-/// By how much the energy fell in a move to its minimum for fixed rotations.
-double WireSolver::Inside::gain(std::span<Vec2 const> moves) const {
-  double sum = 0;
-  for (auto const& edge : edges) sum += edge.weight * squared_norm(moves[edge.a] - moves[edge.b]);
-  return 2 * sum;
-}
-
 /// Eq. 4.2: each edge is in the cells of both of its vertices.
 double WireSolver::Inside::energy(std::span<Vec2 const> pose) const {
   auto const turns = rotations(pose);
@@ -131,9 +123,8 @@ BendProgress WireSolver::step(BendPose& pose, BendHold const& hold, int steps) {
   auto& system = inside_->system(hold.is_fixed);
   system.hold(inside_->constraints(hold.handles));
   BendProgress progress;
-  std::vector<Vec2> moves(pose.size());
   for (int i = 0; i < steps && !progress.is_settled; ++i) {
-    moves = inside_->residuals(pose);
+    auto moves = inside_->residuals(pose);
     system.solve(moves, pose);
     progress.largest_move_px = 0;
     for (std::size_t v = 0; v < pose.size(); ++v) {
@@ -142,7 +133,6 @@ BendProgress WireSolver::step(BendPose& pose, BendHold const& hold, int steps) {
     }
     progress.is_settled = progress.largest_move_px <= kSettledPx;
   }
-  progress.decrement = inside_->gain(moves);
   progress.energy = energy(pose);
   return progress;
 }

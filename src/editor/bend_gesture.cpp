@@ -77,6 +77,16 @@ void go_on_bending(EditorTurn& turn) {
   take_bend(turn);
 }
 
+bool is_bend_unprepared(EditorState const& state) {
+  auto const& view = state.view;
+  return view.mode == Mode::Draw && view.tool == Tool::Deform && !state.bend.is_holding() &&
+         !state.bend.is_prepared(state.history.document(), options_of(view.settings));
+}
+
+void prepare_bend(EditorState& state) {
+  state.bend.prepare(state.history.document(), options_of(state.view.settings));
+}
+
 void finish_bend(EditorTurn& turn) {
   auto& state = turn.state;
   if (!state.bend.is_holding()) return;

@@ -16,6 +16,11 @@ bool is_bend_waiting(EditorState const& state);
 /// A frame's work of it.
 void go_on_bending(EditorTurn& turn);
 
+/// The Deform tool is in the hand, and a press would have to wait for meshes.
+bool is_bend_unprepared(EditorState const& state);
+/// One part's share of it.
+void prepare_bend(EditorState& state);
+
 /// The drag becomes an entry of the history, settled; none when nothing has moved.
 void finish_bend(EditorTurn& turn);
 /// The drag never was.

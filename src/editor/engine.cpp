@@ -165,7 +165,8 @@ Changes Engine::handle(Event const& event) {
 
 bool Engine::has_work() const {
   auto const& state = inside_->state;
-  return is_bend_waiting(state) || state.is_preview_stale || is_model_wanted(state);
+  return is_bend_waiting(state) || state.is_preview_stale || is_model_wanted(state) ||
+         is_bend_unprepared(state);
 }
 
 Changes Engine::work() {
@@ -183,6 +184,8 @@ Changes Engine::work() {
     state.preview = state.previewer.preview(state.history.document(), inside_->progress);
     state.is_preview_stale = false;
     changes.is_scene_changed = true;
+  } else if (is_bend_unprepared(state)) {
+    prepare_bend(state);
   }
   return changes;
 }

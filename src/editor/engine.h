@@ -76,7 +76,7 @@ class Engine {
 
   Changes handle(Event const& event);
 
-  /// Work put off so that events are answered at once: the preview of the shape, the model. To be called when no event waits.
+  /// Work put off so that events are answered at once: the preview of the shape, the model, what the Deform tool needs. To be called when no event waits.
   bool has_work() const;
   Changes work();
 

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "editor/pick_bend.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "editor/layer_shape.h"
 #include "editor/pins.h"
+#include "geometry/segment.h"
 #include "geometry/trig.h"
 
 namespace inkflate {
 namespace {
-
-Vec2 nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) {
-  auto const along = b - a;
-  double const size = squared_norm(along);
-  return size > 0 ? a + along * std::clamp(dot(p - a, along) / size, 0.0, 1.0) : a;
-}
 
 /// The nearest place of lines so far.
 class NearestPlace {

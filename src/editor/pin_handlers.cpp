@@ -34,15 +34,22 @@ void select_pin(EditorTurn& turn, std::optional<BendPinRef> const& pin) {
   turn.changes.is_scene_changed = turn.changes.is_state_changed = true;
 }
 
+/// For who does not see which one it is.
+void tell_pin(EditorTurn& turn) {
+  auto const& view = turn.state.view;
+  auto const pins = pins_in_turn(document_of(turn.state), view);
+  auto const place = std::find(pins.begin(), pins.end(), *view.pin) - pins.begin() + 1;
+  say(turn, Severity::Status, Word::PinSelected,
+      {std::to_string(place) + "/" + std::to_string(pins.size())});
+}
+
 void go_to_pin(EditorTurn& turn, int step) {
   auto const& view = turn.state.view;
   auto const pins = pins_in_turn(document_of(turn.state), view);
   auto const pin = pin_after(pins, view.pin, step);
   if (!pin) return say(turn, Severity::Warning, Word::NoPin);
   select_pin(turn, pin);
-  auto const place = std::find(pins.begin(), pins.end(), *pin) - pins.begin() + 1;
-  say(turn, Severity::Status, Word::PinSelected,
-      {std::to_string(place) + "/" + std::to_string(pins.size())});
+  tell_pin(turn);
 }
 
 bool set_pins(EditorTurn& turn, LayerId layer, std::vector<BendPin> pins, std::string_view action) {
@@ -61,7 +68,10 @@ void add_pin(EditorTurn& turn) {
   auto pins = layer->layer.bend_pins;
   int const index = static_cast<int>(std::ssize(pins));
   pins.push_back({*place});
-  if (set_pins(turn, id, std::move(pins), "add_pin")) select_pin(turn, BendPinRef{id, index});
+  if (!set_pins(turn, id, std::move(pins), "add_pin")) return;
+  select_pin(turn, BendPinRef{id, index});
+  // A hand that clicked there knows.
+  if (turn.argument.empty()) tell_pin(turn);
 }
 
 void turn_pin(EditorTurn& turn, double turn_rad) {

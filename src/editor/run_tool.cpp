@@ -78,7 +78,7 @@ void take_step(EditorTurn& turn, Tool tool, Step step) {
   if (step.selection) set_selection(turn, *std::move(step.selection));
   if (step.hover && *step.hover != state.view.hover) {
     state.view.hover = *step.hover;
-    changes.is_scene_changed = true;
+    changes.is_scene_changed = changes.is_state_changed = true;
   }
   if (step.camera) state.view.camera = *step.camera;
   bool const is_seen = step.camera || !std::holds_alternative<ToolIdle>(state.tool) || step.is_end;

@@ -159,8 +159,8 @@ struct Step {
   std::optional<Camera> camera = {};
   std::optional<LayerId> hover = {};
   std::optional<std::optional<BendPinRef>> pin = {};  // that is selected now; inside none: no pin
-  std::optional<ToolBending> bend =
-      {};  // what shall be bent so: more than a function of plain values does
+  /// What shall be bent so: more than a function of plain values does.
+  std::optional<ToolBending> bend = {};
   std::optional<Word> word = {};  // why there is nothing to do
   std::string action = {};        // to be done after the gesture: a name of actions.h
   std::string argument = {};      // of it

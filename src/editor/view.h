@@ -74,9 +74,9 @@ struct ToolSettings {
   double eraser_px = 12;   // radius on the screen
   BendMode bend_mode = BendMode::Body;
   double bend_body = 1;  // BendOptions::kLeastBody .. 1: how stiff the inside is beside the line
-  std::optional<double> bend_reach =
-      {};  // how far a drag reaches, as a share of the longer side of the part's box, kLeastBendReach .. 1.
-      // 1: the whole part; none: as the part is held
+  /// How far a drag reaches, as a share of the longer side of the part's box, kLeastBendReach .. 1. 1: the whole part; none: as the part
+  /// is held.
+  std::optional<double> bend_reach = {};
 
   static constexpr double kLeastBrushPx = 0.5;
   static constexpr double kLargestBrushPx = 100;

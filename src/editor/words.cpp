@@ -51,7 +51,7 @@ constexpr WordText kTexts[] = {
      "Zatím není co nafouknout. Nakreslete tvar a zjednodušte ho."},
     {Word::NothingSelected, "Select a part first.", "Nejdřív vyberte část."},
     {Word::NoPin, "There is no pin here. Click a line with Deform to put one there.",
-     "Není tu žádný špendlík. Zapíchnete ho kliknutím na čáru, když deformujete."},
+     "Není tu žádný špendlík. Zapíchnete ho klepnutím na čáru, když deformujete."},
     {Word::NothingToBend, "There is no line here to bend.", "Není tu žádná čára k ohnutí."},
     {Word::PartLocked, "This part is locked.", "Tato část je zamknutá."},
     {Word::NotYetPart, "Pins hold parts. Simplify these lines first.",

@@ -5,14 +5,12 @@
 #include <array>
 #include <limits>
 
+#include "geometry/complex.h"
+#include "geometry/segment.h"
 #include "geometry/trig.h"
 
 namespace inkflate {
 namespace {
-
-Vec2 turned(Vec2 v, double cos, double sin) {
-  return {cos * v.x - sin * v.y, sin * v.x + cos * v.y};
-}
 
 Vec2 mean(std::span<Vec2 const> points) {
   Vec2 sum;
@@ -20,11 +18,8 @@ Vec2 mean(std::span<Vec2 const> points) {
   return sum / static_cast<double>(std::max<std::size_t>(points.size(), 1));
 }
 
-/// The parameter of the segment's nearest point to p, 0 .. 1.
-double nearest_on(Vec2 a, Vec2 b, Vec2 p) {
-  double const length = squared_norm(b - a);
-  return length > 0 ? std::clamp(dot(p - a, b - a) / length, 0.0, 1.0) : 0;
-}
+// A place so near to its anchor turns about it by nothing that anybody sees: inside of a mesh only rounding is beside.
+constexpr double kBesidePx = 1e-9;
 
 using Corners = std::array<Vec2, 3>;
 using Weights = std::array<double, 3>;
@@ -46,7 +41,7 @@ Weights nearest_weights(Corners const& corners, Vec2 p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
     std::size_t const next = (k + 1) % 3;
-    double const t = nearest_on(corners[k], corners[next], p);
+    double const t = share_along(p, corners[k], corners[next]);
     Weights weights = {0, 0, 0};
     weights[k] = 1 - t;
     weights[next] = t;
@@ -58,6 +53,16 @@ Weights nearest_weights(Corners const& corners, Vec2 p) {
   return best;
 }
 
+/// No place of the triangle is nearer to p than this, squared.
+double least_away(Corners const& corners, Vec2 p) {
+  auto const [a, b, c] = corners;
+  double const x =
+      std::max({std::min({a.x, b.x, c.x}) - p.x, p.x - std::max({a.x, b.x, c.x}), 0.0});
+  double const y =
+      std::max({std::min({a.y, b.y, c.y}) - p.y, p.y - std::max({a.y, b.y, c.y}), 0.0});
+  return x * x + y * y;
+}
+
 Corners corners_of(Triangle const& triangle, std::span<Vec2 const> pose) {
   return {pose[triangle[0]], pose[triangle[1]], pose[triangle[2]]};
 }
@@ -66,7 +71,7 @@ Corners corners_of(Triangle const& triangle, std::span<Vec2 const> pose) {
 
 Vec2 RigidMotion::operator()(Vec2 p) const {
   if (cos == 1 && sin == 0) return p + (to - from);
-  return to + turned(p - from, cos, sin);
+  return to + product(p - from, {cos, sin});
 }
 
 RigidMotion best_motion(std::span<Vec2 const> points, std::span<Vec2 const> targets) {
@@ -98,6 +103,7 @@ BendHook hook_at(BendMesh const& mesh, BendPose const& pose, Vec2 place) {
   double least = std::numeric_limits<double>::infinity();
   for (int t = 0; t < std::ssize(mesh.rest.triangles); ++t) {
     auto const corners = corners_of(mesh.rest.triangles[t], pose);
+    if (least_away(corners, place) >= least) continue;
     auto const weights = nearest_weights(corners, place);
     double const far = squared_norm(blend(corners, weights) - place);
     if (far >= least) continue;
@@ -106,15 +112,15 @@ BendHook hook_at(BendMesh const& mesh, BendPose const& pose, Vec2 place) {
   }
   auto const turn = sin_cos(turn_at(mesh, pose, hook.anchor));
   auto const beside = place - place_of(mesh.rest, pose, hook.anchor);
-  hook.beside = turned(beside, turn.cos, -turn.sin);
+  hook.beside = product(beside, {turn.cos, -turn.sin});
   return hook;
 }
 
 Vec2 place_of(BendMesh const& mesh, BendPose const& pose, BendHook const& hook) {
   auto const at = place_of(mesh.rest, pose, hook.anchor);
-  if (squared_norm(hook.beside) < 1e-18) return at + hook.beside;
+  if (norm(hook.beside) < kBesidePx) return at + hook.beside;
   auto const turn = sin_cos(turn_at(mesh, pose, hook.anchor));
-  return at + turned(hook.beside, turn.cos, turn.sin);
+  return at + product(hook.beside, {turn.cos, turn.sin});
 }
 
 }  // namespace inkflate

@@ -123,12 +123,17 @@ bool BendPart::is_left_loose(std::optional<Vec2> place) const {
 }
 
 std::optional<Error> BendPart::make_ready(BendOptions const& options) {
-  if (!bender_ || options.body != options_.body) {
+  if (!is_tried(options)) {
     auto made = Bender::make(shape_of(versions_.front().source), options);
-    if (!made) return made.error();
-    bender_ = std::move(made).value();
     options_ = options;
+    fault_.reset();
+    if (made) {
+      bender_ = std::move(made).value();
+    } else {
+      fault_ = made.error();
+    }
   }
+  if (fault_) return fault_;
   auto now = now_;
   if (now.pose.empty()) now.pose = rest_pose();
   remember(std::move(now));

@@ -55,6 +55,10 @@ class BendPart {
   /// errors  those of Bender::make
   std::optional<Error> make_ready(BendOptions const& options);
   bool is_ready() const { return bender_.has_value(); }
+  /// Whether make_ready with these options has nothing to make any more.
+  bool is_tried(BendOptions const& options) const {
+    return (bender_ || fault_) && options.body == options_.body;
+  }
 
   /// Only when it is ready, as all below.
   BendMesh const& mesh() const { return bender_->mesh(); }
@@ -87,6 +91,7 @@ class BendPart {
   BendVersion now_;
   BendOptions options_;
   std::optional<Bender> bender_;
+  std::optional<Error> fault_;  // of Bender::make, with these options
 };
 
 }  // namespace inkflate

@@ -12,6 +12,12 @@ namespace {
 // Rough strokes whose rest is known; others begin a new one.
 constexpr std::size_t kStrokes = 64;
 
+// Of the longer side of all that is drawn: a limb that is a part by itself need not be bent more finely than one that is not.
+constexpr double kLeastEdge = 1.0 / 200;
+
+// So many parts wait for a press: a mesh takes about 1 MB.
+constexpr int kPrepared = 32;
+
 bool has_outline(Layer const& layer) {
   return !layer.outlines.empty() && !layer.outlines.front().pieces.empty();
 }
@@ -27,9 +33,40 @@ std::optional<Error> fault_of(Layer const& layer) {
   return std::nullopt;
 }
 
+double longer_side_px(Document const& document) {
+  Rect box;
+  for (auto const& layer : *document.layers) {
+    for (auto const& outline : layer->layer.outlines) {
+      for (auto const& piece : outline.pieces) box = united(box, bounds(piece.curve.control));
+    }
+  }
+  return box.is_empty() ? 0 : box.longer_side();
+}
+
 }  // namespace
 
+std::optional<Error> BendRests::make_ready(BendPart& part, BendOptions options) const {
+  options.least_edge_px = least_edge_px_;
+  return part.make_ready(options);
+}
+
+bool BendRests::prepare(Document const& document, BendOptions const& options) {
+  int count = 0;
+  for (auto layer = document.layers->rbegin(); layer != document.layers->rend(); ++layer) {
+    auto const part = parts_.find((*layer)->layer.id);
+    if (part == parts_.end() || fault_of((*layer)->layer)) continue;
+    if (++count > kPrepared) break;
+    if (part->second->is_tried(options)) continue;
+    make_ready(*part->second, options);
+    return true;
+  }
+  joints_.anchor(parts_);
+  return false;
+}
+
 void BendRests::meet(Document const& document) {
+  // As at the first time, or meshes would depend on what was bent before them.
+  if (parts_.empty()) least_edge_px_ = kLeastEdge * longer_side_px(document);
   for (auto const& layer : *document.layers) {
     if (!has_outline(layer->layer)) {
       parts_.erase(layer->layer.id);
@@ -64,7 +101,7 @@ Result<BendRoot> BendRests::root(Document const& document, LayerId layer,
     return Error{ErrorCode::NothingThere, "the part has no outline yet: close it first",
                  static_cast<long long>(layer)};
   }
-  if (auto const fault = part->second->make_ready(options)) return *fault;
+  if (auto const fault = make_ready(*part->second, options)) return *fault;
   return BendRoot{part->second, {}};
 }
 
@@ -81,7 +118,7 @@ Result<BendRoot> BendRests::root(Document const& document, StrokeRef const& stro
   auto known = std::find_if(strokes_.begin(), strokes_.end(),
                             [&](auto const& part) { return part->meet(source); });
   auto const part = known != strokes_.end() ? *known : std::make_shared<BendPart>(source);
-  if (auto const fault = part->make_ready(options)) return *fault;
+  if (auto const fault = make_ready(*part, options)) return *fault;
   if (known != strokes_.end()) strokes_.erase(known);
   strokes_.push_back(part);
   if (strokes_.size() > kStrokes) strokes_.erase(strokes_.begin());
@@ -100,7 +137,7 @@ BendRig BendRests::rig(Document const& document, std::vector<BendRoot> const& ro
   }
   auto hanging = hanging_layers(layers, joints_, locked);
   std::erase_if(hanging,
-                [&](LayerId layer) { return parts_.at(layer)->make_ready(options).has_value(); });
+                [&](LayerId layer) { return make_ready(*parts_.at(layer), options).has_value(); });
   joints_.anchor(parts_);
   return BendRig(roots, hanging, parts_, joints_);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "pipeline/bend_joints.h"
@@ -22,6 +23,10 @@ class BendRests {
   /// held: the part that is taken now, a layer or the stroke; by: the place, none: by a pin. in: the document that was met last
   void set_loose_ends(BendSource const& held, std::optional<Vec2> by);
 
+  /// Makes the mesh of one more part, so that a press finds it. in: the document that was met last; out: false when there is no more to do
+  /// cost    that of Bender::make
+  bool prepare(Document const& document, BendOptions const& options);
+
   /// A part to be held by hand, ready to be bent. in: the document that was met last
   /// errors  BadInput (no such layer or stroke; hidden or locked), NothingThere (a layer without outlines), those of Bender::make
   Result<BendRoot> root(Document const& document, LayerId layer, BendOptions const& options);
@@ -33,6 +38,9 @@ class BendRests {
               BendOptions const& options);
 
  private:
+  std::optional<Error> make_ready(BendPart& part, BendOptions options) const;
+
+  double least_edge_px_ = 0;  // of all parts
   BendParts parts_;
   std::vector<std::shared_ptr<BendPart>> strokes_;  // the newest last
   BendJoints joints_;

@@ -112,8 +112,8 @@ int BendRig::hold(int root, BendAnchor const& anchor) {
   return index;
 }
 
-void BendRig::fix(std::vector<char> fixed) {
-  parts_[roots_.front()].fixed = std::move(fixed);
+void BendRig::keep_within(BendArea area) {
+  parts_[roots_.front()].area = std::move(area);
   find_whole();
 }
 

@@ -27,8 +27,8 @@ class BendRig {
 
   /// Holds a place of the part of the root'th root. out: the handle; the handles of a part's pins are the pins' indices
   int hold(int root, BendAnchor const& anchor);
-  /// All but what can move stays. fixed: per vertex of the first root; empty: none stays
-  void fix(std::vector<char> fixed);
+  /// How far the first root moves; empty: as a whole.
+  void keep_within(BendArea area);
   /// Where a handle is held before it moves.
   Vec2 start(int root, int handle) const;
   /// Where the place that it holds lies now.
@@ -77,7 +77,7 @@ class BendRig {
     std::vector<Handle> handles = {};  // of the pins, then those held by hand, then those of mouths
     int own_handles = 0;               // those that are not of mouths
     std::vector<Mouth> mouths = {};
-    std::vector<char> fixed = {};
+    BendArea area = {};
     int whole_with = -1;  // index of the part whose motion it shares; -1: it bends
     double grip_px = 0;   // of what is held by hand
     bool is_moved = false;

@@ -42,7 +42,9 @@ void BendRig::find_whole() {
 }
 
 int BendRig::whole_of(Part const& part, int index) const {
-  if (std::find(part.fixed.begin(), part.fixed.end(), 1) != part.fixed.end()) return -1;
+  if (std::find(part.area.is_fixed.begin(), part.area.is_fixed.end(), 1) !=
+      part.area.is_fixed.end())
+    return -1;
   if (part.mouths.empty()) return part.own_handles == 1 ? index : -1;
   if (part.own_handles > 0 || part.mouths.front().host < 0) return -1;
   int const whole = parts_[part.mouths.front().host].whole_with;
@@ -130,7 +132,7 @@ bool BendRig::advance(Part& part) {
 
 void BendRig::bend(Part& part, int steps) {
   part.is_moved = true;
-  bool const hangs = part.own_handles == 0 && part.fixed.empty();
+  bool const hangs = part.own_handles == 0 && part.area.is_fixed.empty();
   if (hangs) go_along(part);
   auto& bender = part.part->bender();
   int const iterations = part.part->options().mode == BendMode::Wire ? kWireIterations : 1;
@@ -142,7 +144,8 @@ void BendRig::bend(Part& part, int steps) {
       handles.push_back({handle.anchor, handle.staged, {}, is_by_hand ? part.grip_px : 0});
       if (handle.turn_rad) handles.back().turn_rad = handle.staged_rad;
     }
-    auto const progress = bender.step(part.pose, {handles, part.fixed}, iterations);
+    auto const progress =
+        bender.step(part.pose, {handles, part.area.is_fixed, part.area.stiffening}, iterations);
     part.is_settled = has_arrived && progress.is_settled;
   }
 }

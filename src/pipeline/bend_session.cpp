@@ -41,6 +41,8 @@ Error bad_input(char const* message) { return {ErrorCode::BadInput, message}; }
 struct BendSession::Inside {
   BendRests rests;
   BendOptions options;
+  Shared<std::vector<Shared<DocumentLayer>>>
+      prepared;                // the layers of the document of which all parts are; null: none
   std::optional<BendRig> rig;  // while something is held
   std::shared_ptr<BendPart> part;
   int handle = 0;
@@ -75,7 +77,7 @@ struct BendSession::Inside {
   }
 
   void set_reach(BendReach reach) {
-    rig->fix(reach.px ? part->bender().beyond_reach(anchor, *reach.px) : std::vector<char>{});
+    rig->keep_within(reach.px ? part->bender().within_reach(anchor, *reach.px) : BendArea{});
   }
 
   bool is_settled() const { return idle_rounds >= kMostIdleRounds || rig->is_settled(); }
@@ -86,6 +88,26 @@ BendSession::~BendSession() = default;
 BendSession::BendSession(BendSession&&) noexcept = default;
 BendSession& BendSession::operator=(BendSession&&) noexcept = default;
 
+void BendSession::set_options(BendOptions const& options) {
+  auto& inside = *inside_;
+  bool const is_other_mesh = options.mode != inside.options.mode ||
+                             options.strip_half_width_px != inside.options.strip_half_width_px;
+  if (is_other_mesh) forget();
+  inside.options = options;
+}
+
+void BendSession::prepare(Document const& document, BendOptions const& options) {
+  if (is_holding() || is_prepared(document, options)) return;
+  set_options(options);
+  auto& inside = *inside_;
+  inside.rests.meet(document);
+  if (!inside.rests.prepare(document, options)) inside.prepared = document.layers;
+}
+
+bool BendSession::is_prepared(Document const& document, BendOptions const& options) const {
+  return inside_->prepared == document.layers && inside_->options == options;
+}
+
 std::optional<Error> BendSession::grab(Document const& document, BendGrab const& what,
                                        BendReach reach, BendOptions const& options) {
   release(nullptr);
@@ -95,12 +117,8 @@ std::optional<Error> BendSession::grab(Document const& document, BendGrab const&
   if (what.layer == LayerId::None && !what.stroke) {
     return Error{ErrorCode::NothingThere, "there is no line to hold here"};
   }
-  auto& inside = *inside_;
-  bool const is_other_mesh = options.mode != inside.options.mode ||
-                             options.strip_half_width_px != inside.options.strip_half_width_px;
-  if (is_other_mesh) forget();
-  inside.options = options;
-  return inside.grab(document, what, reach);
+  set_options(options);
+  return inside_->grab(document, what, reach);
 }
 
 void BendSession::drag(Vec2 target, std::optional<double> turn_rad) {
@@ -153,6 +171,7 @@ void BendSession::release(Document const* result) {
 void BendSession::forget() {
   release(nullptr);
   inside_->rests = {};
+  inside_->prepared.reset();
 }
 
 }  // namespace inkflate

@@ -14,8 +14,8 @@ namespace inkflate {
 
 /// How much of a part may move when one of its places is dragged.
 struct BendReach {
-  std::optional<double> px =
-      {};  // > 0, measured inside the shape: all that is farther stays. None: the whole part
+  /// > 0, measured inside the shape: all that is farther stays. None: the whole part.
+  std::optional<double> px = {};
 };
 
 /// What the hand holds.
@@ -42,6 +42,13 @@ class BendSession {
   ~BendSession();
   BendSession(BendSession&&) noexcept;
   BendSession& operator=(BendSession&&) noexcept;
+
+  /// Makes what a drag needs of the document's parts, one part in each call, so that the next press takes no time. Idle while something is
+  /// held.
+  /// cost    that of Bender::make
+  void prepare(Document const& document, BendOptions const& options);
+  /// Nothing is left to be prepared. cost: O(1)
+  bool is_prepared(Document const& document, BendOptions const& options) const;
 
   /// Begins a drag. document: as it is before the drag.
   /// errors  NothingThere (nothing to hold there); BadInput (no such layer, pin or stroke; locked); those of Bender::make
@@ -72,6 +79,8 @@ class BendSession {
   void forget();
 
  private:
+  void set_options(BendOptions const& options);
+
   struct Inside;
   std::unique_ptr<Inside> inside_;
 };

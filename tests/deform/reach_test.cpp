@@ -95,5 +95,23 @@ TEST(Reach, IsInfiniteToOtherParts) {
   EXPECT_EQ(ways[4], std::numeric_limits<double>::infinity());
 }
 
+TEST(StiffeningWithin, GrowsTowardsTheEndOfTheReachAndStaysSoBeyond) {
+  // Three triangles in a row, at 0, 80 and 200 px.
+  FlatMesh mesh;
+  std::vector<double> ways_px;
+  for (double const way : {0.0, 80.0, 200.0}) {
+    int const first = static_cast<int>(std::ssize(mesh.points));
+    mesh.points.insert(mesh.points.end(), {{way, 0}, {way + 1, 0}, {way, 1}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    ways_px.insert(ways_px.end(), 3, way);
+  }
+  auto const stiffening = stiffening_within(mesh, ways_px, 100);
+  ASSERT_EQ(stiffening.size(), 3);
+  EXPECT_EQ(stiffening[0], 1);
+  EXPECT_GT(stiffening[1], 1);
+  EXPECT_GT(stiffening[2], stiffening[1]);
+  EXPECT_EQ(stiffening_within(mesh, ways_px, 200)[2], stiffening[2]);
+}
+
 }  // namespace
 }  // namespace inkflate

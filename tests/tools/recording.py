@@ -7,7 +7,8 @@ from math import sqrt
 
 from sketching.sheet import INK
 
-SPACING_PX = 7  # between the positions that a pen reports, on the screen
+SPACING_PX = 7        # between the positions that a pen reports, on the screen
+BEND_SPACING_PX = 12  # that a mouse reports while it bends
 
 
 def rounded(value):
@@ -35,6 +36,7 @@ class Recording:
         self.lines = []
         self.scale, self.x, self.y = 1.0, 0.0, -100.0  # screen = scale * canvas + (x, y)
         self.layers = 0  # that were made so far; their ids count from 1
+        self.bends = 0   # and pins put, since the last that were taken back
         self.tool, self.colour, self.width = "b", INK, 2.4
         self.put(comment=title)
         self.put(resize=[1000, 800])
@@ -111,6 +113,23 @@ class Recording:
     def click(self, place, **event):
         self.put(click=self.screen(place), **event)
 
+    def bend(self, *way, **event):
+        """Drags a line, a part or a pin with the Deform tool, slowly, from the first of these places through the others to the last."""
+        self.pick("d")
+        self.bends += 1
+        self.put(stroke=[self.screen(point) for point in even(way, BEND_SPACING_PX / self.scale)], kind="mouse", **event)
+
+    def pin(self, *places):
+        """Puts pins on lines."""
+        self.pick("d")
+        for place in places:
+            self.bends += 1
+            self.click(place)
+
+    def reach(self, share=""):
+        """How far a drag reaches, as a share of the part; none: as the part is held."""
+        self.action("bend_reach", str(share))
+
     def draw(self, marks, **event):
         """All lines of a part, help lines with their own tool."""
         for mark in marks:
@@ -128,6 +147,25 @@ class Recording:
         self.key("2")
         self.put(picture="model.png")
 
+    def go_on(self):
+        """Back to the drawing, which lies in the window as it did at first."""
+        self.put(resize=[1000, 800])
+        self.action("show_place", "0,0,1000,800")
+        self.action("zoom_actual")
+        self.scale, self.x, self.y = 1.0, 0.0, 0.0
+
+    def take_back(self):
+        """All that was bent."""
+        for _ in range(self.bends):
+            self.undo()
+        self.bends = 0
+
+    def result(self, name):
+        """A small picture of what was bent."""
+        self.put(resize=[256, 208])
+        self.action("zoom_fit")
+        self.put(picture=f"{name}.png")
+        self.go_on()
+
     def text(self):
-        self.show()
         return "\n".join(self.lines) + "\n"

@@ -72,6 +72,7 @@ Json view_json(View const& view) {
           {"bendBody", settings.bend_body},
           {"bendReach", or_null(settings.bend_reach)},
           {"hasPin", view.pin.has_value()},
+          {"isOverPart", view.hover != LayerId::None},
           {"hasGrid", view.has_grid},
           {"isMirrored", view.camera.is_mirrored},
           {"zoom", view.camera.zoom},

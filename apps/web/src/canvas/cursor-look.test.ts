@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { cursorLook, type CursorSetting } from "./cursor-look";
 
 const setting: CursorSetting = {
-  state: { mode: "draw", tool: "brush", brushPx: 6, eraserPx: 12 },
+  state: { mode: "draw", tool: "brush", brushPx: 6, eraserPx: 12, isOverPart: false },
   zoom: 3,
   isSpaceHeld: false,
   isDown: false,
@@ -30,5 +30,13 @@ describe("the cursor", () => {
       expect(cursorLook({ ...setting, ...each }).system).toBe("grab");
       expect(cursorLook({ ...setting, ...each, isDown: true }).system).toBe("grabbing");
     }
+  });
+
+  it("takes hold with Deform of what it is over, and of nothing else", () => {
+    const away = { ...setting.state, tool: "deform" } as const;
+    const over = { ...away, isOverPart: true } as const;
+    expect(cursorLook({ ...setting, state: away }).system).toBe("default");
+    expect(cursorLook({ ...setting, state: over }).system).toBe("grab");
+    expect(cursorLook({ ...setting, state: over, isDown: true }).system).toBe("grabbing");
   });
 });

@@ -10,7 +10,7 @@ export interface CursorLook {
 }
 
 export interface CursorSetting {
-  readonly state: Pick<EngineState, "mode" | "tool" | "brushPx" | "eraserPx">;
+  readonly state: Pick<EngineState, "mode" | "tool" | "brushPx" | "eraserPx" | "isOverPart">;
   /** px of the screen for one of the canvas. */
   readonly zoom: number;
   readonly isSpaceHeld: boolean;
@@ -36,7 +36,9 @@ export function cursorLook({ state, zoom, isSpaceHeld, isDown }: CursorSetting):
     case "mark":
       return { system: "crosshair", ringPx: null };
     case "select":
-    case "deform":
       return { system: "default", ringPx: null };
+    case "deform":
+      if (!state.isOverPart) return { system: "default", ringPx: null };
+      return { system: isDown ? "grabbing" : "grab", ringPx: null };
   }
 }

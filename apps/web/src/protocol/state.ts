@@ -43,6 +43,8 @@ export interface EngineState {
   readonly bendReach: number | null;
   /** A pin is selected. */
   readonly hasPin: boolean;
+  /** The pointer is over something that the tool would take. */
+  readonly isOverPart: boolean;
   readonly hasGrid: boolean;
   readonly isMirrored: boolean;
   /** px of the screen for one of the canvas. */

@@ -15,6 +15,7 @@ export function emptyState(language: Language): EngineState {
     bendReach: null,
     pins: 0,
     hasPin: false,
+    isOverPart: false,
     hasGrid: true,
     isMirrored: false,
     zoom: 1,
