@@ -25,6 +25,11 @@ constexpr double kShareOfBound = 0.9;
 // Of the fall that the slope promises (Armijo; Nocedal and Wright, section 3.1).
 constexpr double kLeastShareOfFall = 1e-4;
 
+// At a minimum a Newton step gains half of what the slope promises. One that gains as much as this is far too short: the shape turns, and
+// the Hessian without its negative curvatures is too stiff. So it is doubled, but not beyond so many edges.
+constexpr double kShareOfFallWhenShort = 0.75;
+constexpr double kLongestMoveEdges = Pull::kReachEdges;
+
 // What rounding does to a sum of a thousand energies.
 constexpr double kEnergyRounding = 1e-12;
 
@@ -42,6 +47,9 @@ struct BodySolver::Inside {
   BendProgress step_once(BendPose& pose, SoftHandles const& handles,
                          std::span<char const> is_fixed);
   bool search(BendPose& pose, std::span<Pull const> pulls, double fall, BendProgress& progress);
+  double energy_at(BendPose const& pose, double share, std::span<Pull const> pulls);
+  double lengthen(BendPose const& pose, std::span<Pull const> pulls, double energy,
+                  double most_share, double& share);
 
   BendMesh const* mesh;
   BodySystem system;
@@ -97,21 +105,46 @@ BendProgress BodySolver::Inside::step_once(BendPose& pose, SoftHandles const& ha
 bool BodySolver::Inside::search(BendPose& pose, std::span<Pull const> pulls, double fall,
                                 BendProgress& progress) {
   constexpr int kMostHalvings = 40;
-  double share = std::min(1.0, kShareOfBound * step_bound(mesh->rest.triangles, pose, moves));
-  double const least_energy_fall = kLeastShareOfFall * fall;
-  double const rounding = kEnergyRounding * progress.energy;
+  double const most_share = kShareOfBound * step_bound(mesh->rest.triangles, pose, moves);
+  double share = std::min(1.0, most_share);
+  double const begun = progress.energy;
+  double const rounding = kEnergyRounding * begun;
   for (int i = 0; i < kMostHalvings; ++i, share /= 2) {
-    trial = pose;
-    for (std::size_t v = 0; v < pose.size(); ++v) trial[v] += moves[v] * share;
-    double const energy = system.energy(trial, pulls);
-    if (energy <= progress.energy - share * least_energy_fall + rounding) {
-      progress.energy = energy;
-      progress.largest_move_px = share * largest(moves);
-      pose.swap(trial);
-      return true;
+    double energy = energy_at(pose, share, pulls);
+    if (energy > begun - share * kLeastShareOfFall * fall + rounding) continue;
+    if (share == 1 && begun - energy > kShareOfFallWhenShort * fall) {
+      energy = lengthen(pose, pulls, energy, most_share, share);
     }
+    progress.energy = energy;
+    progress.largest_move_px = share * largest(moves);
+    pose.swap(trial);
+    return true;
   }
   return false;
+}
+
+/// Of a pose that has gone a share of the moves, which is left in trial.
+double BodySolver::Inside::energy_at(BendPose const& pose, double share,
+                                     std::span<Pull const> pulls) {
+  trial = pose;
+  for (std::size_t v = 0; v < pose.size(); ++v) trial[v] += moves[v] * share;
+  return system.energy(trial, pulls);
+}
+
+/// Doubles a share whose energy is known, for as long as the energy falls. out: the energy of the share, whose pose is in trial
+double BodySolver::Inside::lengthen(BendPose const& pose, std::span<Pull const> pulls,
+                                    double energy, double most_share, double& share) {
+  double const most = std::min(most_share, kLongestMoveEdges * mesh->edge_px / largest(moves));
+  auto best = trial;
+  while (2 * share <= most) {
+    double const next = energy_at(pose, 2 * share, pulls);
+    if (!(next < energy)) break;
+    energy = next;
+    share *= 2;
+    best.swap(trial);
+  }
+  trial.swap(best);
+  return energy;
 }
 
 }  // namespace inkflate

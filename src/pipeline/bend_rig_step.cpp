@@ -18,6 +18,13 @@ constexpr double kTurnPerStep = 0.25;
 // Iterations of the wire that take about as long as a step of the body.
 constexpr int kWireIterations = 10;
 
+// At the end of a drag: what is not still after so many steps of a vertex (half a microsecond each) stays as it is. But a few
+// rounds are always made.
+constexpr int kStepsOfRound = 4;
+constexpr int kMostVertexSteps = 70'000;
+constexpr int kLeastRounds = 3;
+constexpr int kMostRounds = 40;
+
 // Less than this from where it was nobody sees.
 constexpr double kSnapPx = 0.1;
 
@@ -159,6 +166,17 @@ void BendRig::step(int steps) {
 bool BendRig::is_settled() const {
   return std::all_of(parts_.begin(), parts_.end(),
                      [](Part const& part) { return part.is_settled; });
+}
+
+void BendRig::finish() {
+  int vertices = 1;
+  for (auto const& part : parts_) {
+    if (part.whole_with < 0 && is_pulled(part)) vertices += static_cast<int>(std::ssize(part.pose));
+  }
+  int const rounds =
+      std::clamp(kMostVertexSteps / (kStepsOfRound * vertices), kLeastRounds, kMostRounds);
+  for (int i = 0; i < rounds && !is_settled(); ++i) step(kStepsOfRound);
+  snap();
 }
 
 void BendRig::snap() {

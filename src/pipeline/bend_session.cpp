@@ -17,7 +17,6 @@ constexpr int kStepsOfSettling = 4;
 
 // A shape comes to rest in about ten steps, each stretch that the hand jumped over takes one more. Shapes that cannot come to rest stop
 // here.
-constexpr int kMostRounds = 40;
 constexpr int kMostIdleRounds = 400;
 
 // After this many rounds what the new reach lets move is about where it was.
@@ -153,9 +152,7 @@ void BendSession::settle() {
 }
 
 void BendSession::finish() {
-  if (!inside_->rig) return;
-  for (int i = 0; i < kMostRounds && !is_settled(); ++i) settle();
-  inside_->rig->snap();
+  if (inside_->rig) inside_->rig->finish();
 }
 
 std::vector<Command> BendSession::commands() const {

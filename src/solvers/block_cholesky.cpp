@@ -8,6 +8,12 @@
 #include "solvers/eigen.h"
 
 namespace inkflate {
+namespace {
+
+/// Two numbers with which processors reckon at once, each as it would be by itself.
+using Pair [[gnu::vector_size(16)]] = double;
+
+}  // namespace
 
 BlockCholesky::BlockCholesky(int size, std::span<std::array<int, 2> const> pairs)
     : order_(size), place_(size), target_(size, 0), right_side_(2 * size) {
@@ -17,6 +23,7 @@ BlockCholesky::BlockCholesky(int size, std::span<std::array<int, 2> const> pairs
   find_order(pairs);
   find_pattern(pairs);
   find_left_blocks();
+  find_left_together();
   numbers_.assign(4 * rows_.size(), 0);
 }
 
@@ -73,6 +80,22 @@ void BlockCholesky::find_left_blocks() {
   }
 }
 
+/// Columns of a dense part of L come in rows one after the other, and have the same rows below.
+void BlockCholesky::find_left_together() {
+  auto const has_same_rows = [&](LeftBlock const& a, LeftBlock const& b) {
+    return std::equal(rows_.begin() + a.position, rows_.begin() + a.end, rows_.begin() + b.position,
+                      rows_.begin() + b.end);
+  };
+  for (int row = 0; row < size(); ++row) {
+    int const end = left_starts_[row + 1];
+    for (int m = left_starts_[row]; m < end; m += left_[m].together) {
+      int same = 1;
+      while (same < 4 && m + same < end && has_same_rows(left_[m], left_[m + same])) ++same;
+      left_[m].together = same == 3 ? 2 : same;
+    }
+  }
+}
+
 int BlockCholesky::start_of(int row, int column) const {
   int const to = place_[row];
   int const from = place_[column];
@@ -96,19 +119,46 @@ bool BlockCholesky::factor() {
 
 /// Takes L_ik L_jk^T from each block (i, j) of column j, for every column k on the left that has a block in row j.
 void BlockCholesky::subtract_left_columns(int column) {
-  for (int m = left_starts_[column]; m < left_starts_[column + 1]; ++m) {
-    double const* from = &numbers_[4 * left_[m].position];
-    double const a = from[0];
-    double const b = from[1];
-    double const c = from[2];
-    double const d = from[3];
-    for (int k = left_[m].position; k < left_[m].end; ++k, from += 4) {
-      double* const to = &numbers_[target_[rows_[k]]];
-      to[0] -= from[0] * a + from[1] * b;
-      to[1] -= from[0] * c + from[1] * d;
-      to[2] -= from[2] * a + from[3] * b;
-      to[3] -= from[2] * c + from[3] * d;
+  for (int m = left_starts_[column]; m < left_starts_[column + 1]; m += left_[m].together) {
+    auto const* const left = &left_[m];
+    if (left->together == 4) {
+      subtract_together<4>(left);
+    } else if (left->together == 2) {
+      subtract_together<2>(left);
+    } else {
+      subtract_together<1>(left);
     }
+  }
+}
+
+/// Each sum is read and written once for all of the columns, in which it goes on in their order.
+template <int kCount>
+void BlockCholesky::subtract_together(LeftBlock const* left) {
+  std::array<double const*, kCount> from;
+  std::array<Pair, kCount> first;
+  std::array<Pair, kCount> second;
+  for (int c = 0; c < kCount; ++c) {
+    from[c] = &numbers_[4 * left[c].position];
+    first[c] = Pair{from[c][0], from[c][2]};
+    second[c] = Pair{from[c][1], from[c][3]};
+  }
+  int const* const rows = &rows_[left->position];
+  int const* const target = target_.data();
+  double* const numbers = numbers_.data();
+  int const count = left->end - left->position;
+  for (int k = 0; k < count; ++k) {
+    double* const to = numbers + target[rows[k]];
+    Pair upper = {to[0], to[1]};
+    Pair lower = {to[2], to[3]};
+    for (int c = 0; c < kCount; ++c) {
+      double const* const block = from[c] + 4 * k;
+      upper -= block[0] * first[c] + block[1] * second[c];
+      lower -= block[2] * first[c] + block[3] * second[c];
+    }
+    to[0] = upper[0];
+    to[1] = upper[1];
+    to[2] = lower[0];
+    to[3] = lower[1];
   }
 }
 

@@ -49,12 +49,16 @@ class BlockCholesky {
   struct LeftBlock {
     int position = 0;  // index into rows_
     int end = 0;       // of its column in rows_
+    int together = 1;  // 1, 2 or 4: this block and those that follow have the same rows below
   };
 
   void find_order(std::span<std::array<int, 2> const> pairs);
   void find_pattern(std::span<std::array<int, 2> const> pairs);
   void find_left_blocks();
+  void find_left_together();
   void subtract_left_columns(int column);
+  template <int kCount>
+  void subtract_together(LeftBlock const* left);
   [[nodiscard]] bool divide_by_diagonal(int column);
 
   std::vector<int> order_;          // the row of A that became row i of L

@@ -31,6 +31,8 @@ constexpr double kWayPx = 6;
 constexpr double kArrowPx = 24;
 constexpr double kPinPx = 22;
 constexpr double kHaloPx = 32;
+// A hand that moves gives the program one frame; where it rests, all the time that it wants.
+constexpr int kAllWork = 10'000;
 // Less is a click.
 constexpr double kDragPx = 5;
 
@@ -44,12 +46,14 @@ struct Bending {
 /// Plays a recording and watches the hand.
 class Watcher {
  public:
-  explicit Watcher(char const* mode) { handle(ActionEvent{"bend_mode", mode}); }
+  explicit Watcher(char const* mode) { handle(ActionEvent{"bend_mode", mode}, kAllWork); }
 
   void take(cli::RecordedStep const& step) {
     if (auto const* event = std::get_if<Event>(&step)) {
-      if (auto const* pointer = std::get_if<PointerEvent>(event)) watch(*pointer);
-      handle(*event);
+      auto const* const pointer = std::get_if<PointerEvent>(event);
+      if (pointer != nullptr) watch(*pointer);
+      bool const is_move = pointer != nullptr && pointer->action == PointerAction::Move;
+      handle(*event, is_move ? 1 : kAllWork);
     } else if (std::holds_alternative<cli::PictureStep>(step) && !bending_.ways.empty()) {
       bending_.after = to_project(engine_.document()).drawing;
       bendings.push_back(std::exchange(bending_, {}));
@@ -59,9 +63,9 @@ class Watcher {
   std::vector<Bending> bendings;
 
  private:
-  void handle(Event const& event) {
+  void handle(Event const& event, int frames) {
     engine_.handle(event);
-    while (engine_.has_work()) engine_.work();
+    for (int i = 0; i < frames && engine_.has_work(); ++i) engine_.work();
   }
 
   void watch(PointerEvent const& pointer) {
@@ -170,10 +174,9 @@ int main(int count, char** arguments) {
                                                  Affine::translation(-kCanvas.min)));
   }
   int const rows = static_cast<int>(std::ssize(cells)) / 3;
-  auto const picture =
-      rasterise(sheet, static_cast<int>(kBetweenPx + columns * row_px),
-                static_cast<int>(kBetweenPx + (rows + columns - 1) / columns * high_px),
-                palette::kPaper);
+  auto const picture = rasterise(
+      sheet, static_cast<int>(kBetweenPx + columns * row_px),
+      static_cast<int>(kBetweenPx + (rows + columns - 1) / columns * high_px), palette::kPaper);
   auto const png = write_png(picture);
   std::ofstream file(arguments[1], std::ios::binary);
   file.write(reinterpret_cast<char const*>(png.data()), std::ssize(png));

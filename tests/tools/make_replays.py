@@ -1,22 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Makes the recordings of tests/data/replay: the walk-throughs of the thesis' chapter 6, drawn part by part as somebody would who
-has the editor before them, with slips that are taken back.
+has the editor before them, with slips that are taken back. Most are bent afterwards (bend_replays.py).
 
     python3 tests/tools/make_replays.py            write all
     python3 tests/tools/make_replays.py --check    exit with 1 if a file differs from what would be made
 """
 
 import sys
+from functools import partial
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "examples"))
 
+import bend_replays  # noqa: E402
 from recording import Recording  # noqa: E402
 from sketching.curve import limb, ring  # noqa: E402
 from sketching.sheet import CORAL, MINT, SEA, Sheet  # noqa: E402
-from subjects import birds, insects, mammals, reptiles, sea  # noqa: E402
+from subjects import birds, figures, insects, mammals, reptiles, sea  # noqa: E402
 
 FOLDER = TOP / "tests" / "data" / "replay"
 
@@ -114,8 +116,7 @@ def seahorse():
     recording.draw(body.marks[-3:])
     recording.simplify(body.fill)
     recording.pan(-60, 30)
-    recording.comment("the fin is open towards the body")
-    recording.pick("l")
+    recording.pick("l")  # the fin is open towards the body
     recording.stroke([(642, 316), (650, 350), (662, 400), (668, 438)], button="secondary")
     part(recording, parts["dorsal-fin"], button="secondary")
     recording.pan(60, -30)
@@ -163,7 +164,7 @@ def moved(points, by):
 
 
 def box_of(points):
-    xs, ys = [p[0] for p in points], [p[1] for p in points]
+    xs, ys = zip(*points)
     return min(xs), min(ys), max(xs), max(ys)
 
 
@@ -254,18 +255,32 @@ def torus():
     recording.click(grip)
     recording.key("d", ctrl=True)
     recording.key("h", shift=True)
-    centre_x = (258 + 500) / 2
-    there = (2 * centre_x - grip[0] + COPY_OFFSET[0], grip[1] + COPY_OFFSET[1])
+    there = (258 + 500 - grip[0] + COPY_OFFSET[0], grip[1] + COPY_OFFSET[1])
     recording.drag(there, (1000 - grip[0], grip[1]))
+    return recording
+
+
+def one_part(name):
+    """A figure in one outline, to be bent."""
+    recording = Recording(f"{name}: one part")
+    part(recording, parts_of(getattr(figures, name), name)[name.split("_")[-1]])
     return recording
 
 
 RECORDINGS = {"mouse": mouse, "alligator": alligator, "dove": dove, "seahorse": seahorse, "crab": crab,
               "butterfly": butterfly, "octopus": octopus, "half_torus": half_torus, "torus": torus}
+RECORDINGS |= {name: partial(one_part, name) for name in ("giraffe", "monster", "letter_s", "person")}
 
 
 def made(name):
-    return RECORDINGS[name]().text()
+    recording = RECORDINGS[name]()
+    recording.show()
+    bend = getattr(bend_replays, name, None)
+    if bend:
+        recording.go_on()
+        recording.comment(bend.__doc__)
+        bend(recording)
+    return recording.text()
 
 
 def main():

@@ -36,6 +36,7 @@ class Recording:
         self.lines = []
         self.scale, self.x, self.y = 1.0, 0.0, -100.0  # screen = scale * canvas + (x, y)
         self.layers = 0  # that were made so far; their ids count from 1
+        self.bends = 0   # and pins put, since the last that were taken back
         self.tool, self.colour, self.width = "b", INK, 2.4
         self.put(comment=title)
         self.put(resize=[1000, 800])
@@ -115,30 +116,15 @@ class Recording:
     def bend(self, *way, **event):
         """Drags a line, a part or a pin with the Deform tool, slowly, from the first of these places through the others to the last."""
         self.pick("d")
+        self.bends += 1
         self.put(stroke=[self.screen(point) for point in even(way, BEND_SPACING_PX / self.scale)], kind="mouse", **event)
-
-    def bend_with_wheel(self, notches, *way):
-        """The same, and in the middle of it the wheel is turned: upwards the drag reaches farther."""
-        self.pick("d")
-        at_hand = [self.screen(point) for point in even(way, BEND_SPACING_PX / self.scale)]
-        self.put(pointer="press", at=at_hand[0])
-        for i, place in enumerate(at_hand):
-            self.put(pointer="move", at=place)
-            if i == len(at_hand) // 2:
-                self.put(wheel=[0, -100 * notches], at=place)
-        self.put(pointer="release", at=at_hand[-1])
 
     def pin(self, *places):
         """Puts pins on lines."""
         self.pick("d")
         for place in places:
+            self.bends += 1
             self.click(place)
-
-    def turn_pin(self, place, steps):
-        """A pin is turned by its key, clockwise, and holds its turn from then on."""
-        self.click(place)
-        for _ in range(abs(steps)):
-            self.key("." if steps > 0 else ",")
 
     def reach(self, share=""):
         """How far a drag reaches, as a share of the part; none: as the part is held."""
@@ -168,8 +154,14 @@ class Recording:
         self.action("zoom_actual")
         self.scale, self.x, self.y = 1.0, 0.0, 0.0
 
-    def result(self, name, takes_back=True):
-        """A small picture of what was bent; then all of it since the last one may be taken back."""
+    def take_back(self):
+        """All that was bent."""
+        for _ in range(self.bends):
+            self.undo()
+        self.bends = 0
+
+    def result(self, name):
+        """A small picture of what was bent."""
         self.put(resize=[256, 208])
         self.action("zoom_fit")
         self.put(picture=f"{name}.png")
