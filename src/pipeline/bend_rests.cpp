@@ -79,7 +79,8 @@ void BendRests::meet(Document const& document) {
   joints_.meet(document, parts_);
 }
 
-void BendRests::set_loose_ends(BendSource const& held, std::optional<Vec2> by) {
+void BendRests::set_loose_ends(Document const& document, BendSource const& held,
+                               std::optional<Vec2> by) {
   auto const set = [&](std::shared_ptr<BendPart>& part) {
     auto const& source = part->now().source;
     bool const is_held = source == held;
@@ -89,6 +90,8 @@ void BendRests::set_loose_ends(BendSource const& held, std::optional<Vec2> by) {
   };
   for (auto& [layer, part] : parts_) set(part);
   for (auto& part : strokes_) set(part);
+  // Joints lie in meshes: those of a part that has begun anew are found anew.
+  joints_.meet(document, parts_);
 }
 
 Result<BendRoot> BendRests::root(Document const& document, LayerId layer,

@@ -21,7 +21,7 @@ class BendRests {
   /// now is its rest. But what is taken by the same place again goes on from the rest that it had, so that it can be dragged back.
   ///
   /// held: the part that is taken now, a layer or the stroke; by: the place, none: by a pin. in: the document that was met last
-  void set_loose_ends(BendSource const& held, std::optional<Vec2> by);
+  void set_loose_ends(Document const& document, BendSource const& held, std::optional<Vec2> by);
 
   /// Makes the mesh of one more part, so that a press finds it. in: the document that was met last; out: false when there is no more to do
   /// cost    that of Bender::make

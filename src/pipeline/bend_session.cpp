@@ -55,7 +55,7 @@ struct BendSession::Inside {
     rests.meet(document);
     auto const by = what.pin ? std::nullopt : std::optional(what.place);
     is_loose = by.has_value();
-    rests.set_loose_ends(source_of(document, what), by);
+    rests.set_loose_ends(document, source_of(document, what), by);
     auto root = what.layer == LayerId::None ? rests.root(document, *what.stroke, options)
                                             : rests.root(document, what.layer, options);
     if (!root) return root.error();
