@@ -2,7 +2,7 @@
 """Figures 6.12 to 6.25 of the thesis: drawings bent with the Deform tool. Each bending ends with a small picture."""
 
 from sketching.curve import limb
-from sketching.sheet import SKY
+from sketching.sheet import SKY, Mark
 
 
 def giraffe(recording):
@@ -18,15 +18,15 @@ def giraffe(recording):
     recording.bend(chin, (172, 240), (150, 290))
     recording.result("one_place")
     recording.take_back()
-    recording.comment("6.13: down to drink, held by two hooves")
-    recording.pin((360, 740), (748, 740))
+    recording.comment("6.13: down to drink, held by its back and two hooves")
+    recording.pin((730, 452), (628, 740), (476, 740))
     recording.bend(chin, (110, 330), (90, 480), (110, 620), (150, 700))
     recording.result("drinks")
     recording.take_back()
     recording.comment("6.16: its head up, a leg lifted, its tail raised")
-    recording.pin((748, 740), (628, 740), (360, 740))
+    recording.pin((748, 740), (628, 740), (360, 740), (640, 424))
     recording.bend((890, 640), (940, 560), (950, 460), (930, 400))
-    recording.bend((476, 740), (430, 730), (400, 690))
+    recording.bend((476, 740), (450, 720), (430, 700))
     recording.bend(chin, (150, 120), (170, 60))
     recording.result("steps")
 
@@ -115,15 +115,16 @@ def crab(recording):
 def person(recording):
     """Figure 6.25: fattened, given two more legs, and its limbs moved."""
     recording.comment("fattened")
+    recording.reach("0.22")
     for side in (1, -1):
         for x, y, far in ((140, 420, 50), (150, 500, 60), (130, 570, 40)):
             recording.bend((500 + side * x, y), (500 + side * (x + far / 2), y), (500 + side * (x + far), y))
     recording.result("fat")
+    recording.reach()
     recording.comment("a leg is drawn, and a copy of it bent")
     leg = [point[:2] for point in limb("590,560 680,600 740,680", [90, 80, 64])]
     middle = (680, 600)
-    recording.pick("b")
-    recording.stroke(leg + leg[:1])
+    recording.draw([Mark(leg + leg[:1])])
     recording.simplify(SKY)
     recording.key("End")
     recording.pick("v")

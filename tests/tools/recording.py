@@ -36,7 +36,7 @@ class Recording:
         self.lines = []
         self.scale, self.x, self.y = 1.0, 0.0, -100.0  # screen = scale * canvas + (x, y)
         self.layers = 0  # that were made so far; their ids count from 1
-        self.bends = 0   # and pins put, since the last that were taken back
+        self.bends = 0  # and pins put, since the last that were taken back
         self.tool, self.colour, self.width = "b", INK, 2.4
         self.put(comment=title)
         self.put(resize=[1000, 800])
@@ -126,8 +126,8 @@ class Recording:
             self.bends += 1
             self.click(place)
 
-    def reach(self, share=""):
-        """How far a drag reaches, as a share of the part; none: as the part is held."""
+    def reach(self, share="auto"):
+        """How far a drag reaches, as a share of the part."""
         self.action("bend_reach", str(share))
 
     def draw(self, marks, **event):
