@@ -57,6 +57,16 @@ TEST(BendJoints, LimbsStayWhereTheirHostHasThem) {
   EXPECT_NEAR(length_of(hand.document), length_of(before), 0.01 * length_of(before));
 }
 
+TEST(BendJoints, LimbsStayThereWhenTheirHostGoesOnFromAnotherRest) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  hand.drag(body_at(kTopOfBody), {580, 260});
+  auto const bent = hand.document;
+  hand.drag(body_at({240, 450}), {241, 450});
+  EXPECT_LT(distance(middle_of_mouth(bent, kArm), middle_of_mouth(hand.document, kArm)), 5);
+  EXPECT_LT(contour_distance(layer_of_hand(hand.document, kArm), layer_of_hand(bent, kArm)), 10);
+}
+
 TEST(BendJoints, ALimbThatIsDraggedBendsFromItsMouthAndLeavesItsHostAlone) {
   BendHand hand(jointed_document());
   auto const before = hand.document;
