@@ -187,7 +187,7 @@ Verb declare_deform(CLI::App& program) {
                   "One more pin: of this part (its name or number) the place\n"
                   "nearest to X,Y goes to the second X,Y, or stays where there\n"
                   "is none; turned clockwise (may be repeated)")
-      ->type_name("PART:X,Y[:X,Y[:DEGREES]]")
+      ->type_name("PART:X,Y[:X,Y][:DEGREES]")
       ->allow_extra_args(false);
   std::map<std::string, BendMode> const modes = {{"body", BendMode::Body},
                                                  {"wire", BendMode::Wire}};

@@ -2,6 +2,7 @@
 #include "deform/bender.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -140,6 +141,24 @@ BendPose const& Bender::rest_pose() const { return inside_->meshed.mesh.rest.poi
 
 BendAnchor Bender::nearest(BendPose const& pose, Vec2 canvas) const {
   return inside_->anchors.nearest(pose, canvas);
+}
+
+std::optional<BendAnchor> Bender::under(BendPose const& pose, Vec2 canvas) const {
+  auto const& triangles = mesh().rest.triangles;
+  for (int t = 0; t < static_cast<int>(std::ssize(triangles)); ++t) {
+    auto const& [a, b, c] = triangles[t];
+    Vec2 const to_a = pose[a] - canvas;
+    Vec2 const to_b = pose[b] - canvas;
+    Vec2 const to_c = pose[c] - canvas;
+    // The areas of the triangles between the place and each side.
+    std::array<double, 3> areas = {cross(to_b, to_c), cross(to_c, to_a), cross(to_a, to_b)};
+    double const whole = areas[0] + areas[1] + areas[2];
+    bool const is_in = areas[0] >= 0 && areas[1] >= 0 && areas[2] >= 0 && whole > 0;
+    if (!is_in) continue;
+    for (auto& area : areas) area /= whole;
+    return BendAnchor{t, areas};
+  }
+  return std::nullopt;
 }
 
 BendArea Bender::within_reach(BendAnchor const& from, double reach_px) const {

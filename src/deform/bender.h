@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,9 @@ class Bender {
 
   /// The place of the drawn lines that is nearest to a place of the canvas while the shape lies in this pose.
   BendAnchor nearest(BendPose const& pose, Vec2 canvas) const;
+
+  /// The place of the shape that lies at a place of the canvas; of several the first of the mesh. None: nothing of the mesh does.
+  std::optional<BendAnchor> under(BendPose const& pose, Vec2 canvas) const;
 
   /// How far a hand at a place moves the shape: all that is farther than this, measured inside the rest shape, stays, but for small
   /// ends that hang on what is nearer (deform/hangers_on.h); towards there the shape is stiffer, so that it bends without a kink.

@@ -64,8 +64,9 @@ void take(EditorTurn& turn, ActionEvent const& event) {
                        (event.name == "brush_larger" || event.name == "brush_smaller");
   bool const was_in_gesture = !goes_on && is_in_gesture(turn.state);
   if (was_in_gesture) stop_hand(turn);
-  // Esc and undo in the middle of a gesture take back just that.
-  if (was_in_gesture && (event.name == "cancel" || event.name == "undo")) return;
+  // Esc, undo and delete in the middle of a gesture take back just that.
+  bool const is_drop = event.name == "cancel" || event.name == "undo" || event.name == "delete";
+  if (was_in_gesture && is_drop) return;
   run_action(turn, event.name, event.argument);
 }
 

@@ -82,7 +82,7 @@ std::optional<BendHit> pick_part(Document const& document, Vec2 canvas, double r
       hit = BendHit{{id, {}, {}, nearest.place}, true};
     }
     if (!contains(shape, canvas)) continue;
-    return hit ? hit : BendHit{{id, {}, {}, nearest.place}, false};
+    return hit ? hit : BendHit{{id, {}, {}, canvas, true}, false};
   }
   return hit;
 }

@@ -23,7 +23,7 @@ Vec2 pin_knob(BendPin const& pin, View const& view);
 
 /// A line, or the inside of a part.
 struct BendHit {
-  BendGrab what;            // its place lies on the line
+  BendGrab what;            // its place lies on the line, or inside
   bool is_on_line = false;  // the line is within reach
 };
 

@@ -110,6 +110,11 @@ void BendPart::remember(BendVersion version) {
   versions_.push_back(now_);
 }
 
+BendAnchor BendPart::held_at(Vec2 place, bool is_inside) const {
+  auto const under = is_inside ? bender_->under(now_.pose, place) : std::nullopt;
+  return under ? *under : nearest(now_.pose, place);
+}
+
 void BendPart::leave_loose(BendAnchor const& place) {
   auto version = now_;
   version.loose_end = place;

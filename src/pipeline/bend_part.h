@@ -66,6 +66,8 @@ class BendPart {
   BendAnchor nearest(BendPose const& pose, Vec2 place) const {
     return bender_->nearest(pose, place);
   }
+  /// What a hand takes hold of: the place itself where that is wanted and the mesh has one there, else the nearest of the line.
+  BendAnchor held_at(Vec2 place, bool is_inside) const;
   BendPose const& rest_pose() const { return bender_->rest_pose(); }
   BendVersion const& now() const { return now_; }
   BendOptions const& options() const { return options_; }

@@ -21,7 +21,11 @@ bool is_same_list(std::vector<HeldPin> const& a, std::vector<HeldPin> const& b) 
 // limb that is thinner than it is long is held by its whole width.
 constexpr double kGripShare = 0.1;
 
-double grip_px(FlatMesh const& mesh) {
+// The same of a line's length: its strip has hardly an area.
+constexpr double kGripShareOfLine = 0.05;
+
+double grip_px(FlatMesh const& mesh, bool is_line) {
+  if (is_line) return kGripShareOfLine * bounds(mesh.points).longer_side();
   double area = 0;
   for (auto const& [a, b, c] : mesh.triangles) {
     area += cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]) / 2;
@@ -54,7 +58,7 @@ BendRig::BendRig(std::vector<BendRoot> const& roots, std::vector<LayerId> const&
 BendRig::Part BendRig::part_at_start(std::shared_ptr<BendPart> bent,
                                      std::optional<StrokeRef> stroke) {
   Part part = {std::move(bent), stroke, {}, {}};
-  part.grip_px = grip_px(part.part->mesh().rest);
+  part.grip_px = grip_px(part.part->mesh().rest, stroke.has_value());
   part.start = part.part->now().pose;
   part.pose = part.start;
   for (auto const& held : part.part->now().pins) {

@@ -17,7 +17,7 @@ constexpr int kStepsOfSettling = 4;
 
 // A shape comes to rest in about ten steps, each stretch that the hand jumped over takes one more. Shapes that cannot come to rest stop
 // here.
-constexpr int kMostIdleRounds = 400;
+constexpr int kMostIdleRounds = 60;
 
 // After this many rounds what the new reach lets move is about where it was.
 constexpr int kRoundsOfReach = 6;
@@ -66,7 +66,7 @@ struct BendSession::Inside {
     }
     auto made = rests.rig(document, {*root}, options);
     auto const& at = what.pin ? pins[static_cast<std::size_t>(*what.pin)].anchor
-                              : part->nearest(part->now().pose, what.place);
+                              : part->held_at(what.place, what.is_inside);
     anchor = at;
     handle = what.pin ? *what.pin : made.hold(0, anchor);
     from_place = made.start(0, handle) - what.place;

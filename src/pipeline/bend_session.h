@@ -24,6 +24,7 @@ struct BendGrab {
   std::optional<StrokeRef> stroke = {};
   std::optional<int> pin = {};  // index into the layer's pins; none: the place
   Vec2 place;                   // canvas px, on or near the line
+  bool is_inside = false;       // the place itself is held, not the line next to it
 };
 
 /// The parts of a document while a person bends them: keeps the rest pose of each until it is told to forget, so that what is dragged

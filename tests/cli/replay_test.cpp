@@ -37,8 +37,9 @@ TEST_P(Replay, LooksAsItWasApproved) {
 
 INSTANTIATE_TEST_SUITE_P(
     Thesis, Replay,
-    testing::Values(Recorded{"mouse", {"bent"}}, Recorded{"alligator"}, Recorded{"dove", {"bent"}},
-                    Recorded{"seahorse"}, Recorded{"crab", {"bent"}}, Recorded{"butterfly"},
+    testing::Values(Recorded{"mouse", {"bent"}}, Recorded{"alligator", {"bent"}},
+                    Recorded{"dove", {"bent"}}, Recorded{"seahorse", {"bent"}},
+                    Recorded{"crab", {"bent"}}, Recorded{"butterfly"},
                     Recorded{"octopus", {"bent"}}, Recorded{"half_torus"}, Recorded{"torus"},
                     Recorded{"giraffe", {"one_place_whole", "one_place", "drinks", "steps"}},
                     Recorded{"monster", {"one_place", "tail_and_hands", "arms"}},

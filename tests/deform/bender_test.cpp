@@ -228,6 +228,16 @@ TEST(Bender, SaysWhatIsNearestInThePose) {
   }
 }
 
+TEST(Bender, FindsWhatLiesUnderAPlaceInAnyPose) {
+  auto const bender = made({{bar_outline(400, 40)}, {}});
+  auto pose = bender.rest_pose();
+  for (auto& p : pose) p += Vec2{30, -50};
+  auto const under = bender.under(pose, {230, -45});
+  ASSERT_TRUE(under.has_value());
+  EXPECT_LT(distance(place_of(bender.mesh().rest, pose, *under), {230, -45}), 1e-9);
+  EXPECT_FALSE(bender.under(pose, {230, 45}).has_value());
+}
+
 TEST(Bender, KnowsWhatIsBeyondReach) {
   auto const bender = made({{bar_outline(400, 40)}, {}});
   auto const& rest = bender.rest_pose();

@@ -45,12 +45,13 @@ TEST(DeformTool, ADragOnTheLineTakesTheLineWithIt) {
   EXPECT_TRUE(hand.release({443, 310}).is_end);
 }
 
-TEST(DeformTool, APressInsideHoldsTheNearestPlaceOfTheLine) {
+TEST(DeformTool, APressInsideHoldsThatPlaceItself) {
   ToolHand hand(Tool::Deform, two_discs());
   auto const press = pressed(hand, {360, 300});
   EXPECT_EQ(press.on, BendPress::Inside);
   EXPECT_EQ(press.what.layer, kFront);
-  EXPECT_NEAR(distance(press.what.place, kOnLine), 0, 2);
+  EXPECT_TRUE(press.what.is_inside);
+  EXPECT_EQ(press.what.place, (Vec2{360, 300}));
 }
 
 TEST(DeformTool, ALineUnderAnotherPartCannotBeHeldButWithTheSecondaryButton) {

@@ -97,6 +97,18 @@ TEST(BendSession, PinsHoldAndTheHeldPlaceGoesWithTheHand) {
   EXPECT_EQ(layer_of_hand(hand.document, kBody).bend_pins[1].position, (Vec2{240, 450}));
 }
 
+TEST(BendSession, APlaceInsideIsHeldItself) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}, {{240, 450}}});
+  BendGrab middle = body_at({400, 450});
+  middle.is_inside = true;
+  hand.drag(middle, {430, 440});
+  // The stroke along the middle of the body has a sample there.
+  auto const& document = hand.document;
+  auto const& samples = find_layer(document, kBody)->strokes[0]->stroke.samples;
+  EXPECT_LT(distance(samples[1].position, {430, 440}), 1);
+}
+
 TEST(BendSession, ADraggedPinStaysWhereItWasDraggedAndTheOthersStay) {
   BendHand hand(jointed_document());
   hand.set_pins(kBody, {{kBottomOfBody}, {kTopOfBody}});
