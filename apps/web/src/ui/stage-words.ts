@@ -11,6 +11,7 @@ const stages: readonly (readonly [Word, readonly string[]])[] = [
       ...["place", "draw strokes on pixels", "cut pixels", "trace pixels"],
     ],
   ],
+  ["stage_bend", ["bend"]],
   ["stage_join", ["join", "mesh", "stitch"]],
   ["stage_inflate", ["inflate", "order", "shape"]],
   ["stage_texture", ["texture"]],
