@@ -143,16 +143,16 @@ BENCHMARK_CAPTURE(bending, seahorse, "sketches/seahorse.svg")->Unit(benchmark::k
 
 /// What each drag of a long session takes in all versions of the document together.
 void bending_memory(benchmark::State& state) {
-  constexpr int kDrags = 500;
+  constexpr int drags = 500;
   for ([[maybe_unused]] auto const iteration : state) {
     auto engine = opened("characters/dog.svg");
     Bending person(engine);
     auto const before = used_bytes();
-    for (int i = 0; i < kDrags; ++i) {
+    for (int i = 0; i < drags; ++i) {
       double const sign = i % 2 == 0 ? 1 : -1;
       person.drag(sign * Vec2{20.0 + i % 7, 25.0 + i % 5}, false);
     }
-    state.counters["bytes_per_drag"] = static_cast<double>(used_bytes() - before) / kDrags;
+    state.counters["bytes_per_drag"] = static_cast<double>(used_bytes() - before) / drags;
     person.report(state);
   }
 }

@@ -104,12 +104,12 @@ BendProgress BodySolver::Inside::step_once(BendPose& pose, SoftHandles const& ha
 /// Goes along the moves as far as no triangle turns over and the energy falls. out: whether it has gone at all
 bool BodySolver::Inside::search(BendPose& pose, std::span<Pull const> pulls, double fall,
                                 BendProgress& progress) {
-  constexpr int kMostHalvings = 40;
+  constexpr int most_halvings = 40;
   double const most_share = kShareOfBound * step_bound(mesh->rest.triangles, pose, moves);
   double share = std::min(1.0, most_share);
   double const begun = progress.energy;
   double const rounding = kEnergyRounding * begun;
-  for (int i = 0; i < kMostHalvings; ++i, share /= 2) {
+  for (int i = 0; i < most_halvings; ++i, share /= 2) {
     double energy = energy_at(pose, share, pulls);
     if (energy > begun - share * kLeastShareOfFall * fall + rounding) continue;
     if (share == 1 && begun - energy > kShareOfFallWhenShort * fall) {

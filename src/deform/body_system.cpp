@@ -12,6 +12,10 @@ namespace {
 // singular without it. The softest bend of a long thin limb still has a hundred times as much.
 constexpr double kDamping = 1e-9;
 
+// What is tried where that is too little; beyond the last numbers have failed altogether.
+constexpr int kDampings = 4;
+constexpr double kMoreDamping = 1000;
+
 std::vector<std::array<int, 2>> edges_of(FlatMesh const& mesh) {
   std::vector<std::array<int, 2>> edges;
   for (auto const& [a, b, c] : mesh.triangles) {
@@ -100,8 +104,8 @@ double BodySystem::newton_moves(std::span<Vec2 const> pose, std::span<Pull const
 bool BodySystem::factor_somehow(std::span<Vec2 const> pose, std::span<Pull const> pulls,
                                 std::span<char const> is_fixed) {
   if (factor(pose, pulls, is_fixed, Curvature::Own, damping_)) return true;
-  constexpr double kTooMuch = 1e9;  // numbers have failed altogether
-  for (double damping = damping_; damping <= kTooMuch * damping_; damping *= 1000) {
+  double damping = damping_;
+  for (int i = 0; i < kDampings; ++i, damping *= kMoreDamping) {
     if (factor(pose, pulls, is_fixed, Curvature::Positive, damping)) return true;
   }
   return false;

@@ -10,10 +10,10 @@ namespace {
 
 /// The least positive root of c + b t + a t^2, c > 0. Neither form subtracts numbers of about the same size.
 double least_root(double a, double b, double c) {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
+  constexpr double never = std::numeric_limits<double>::infinity();
   double const under_root = b * b - 4 * a * c;
-  if (b < 0) return under_root >= 0 ? 2 * c / (std::sqrt(under_root) - b) : kNever;
-  return a < 0 ? (b + std::sqrt(under_root)) / (-2 * a) : kNever;
+  if (b < 0) return under_root >= 0 ? 2 * c / (std::sqrt(under_root) - b) : never;
+  return a < 0 ? (b + std::sqrt(under_root)) / (-2 * a) : never;
 }
 
 }  // namespace

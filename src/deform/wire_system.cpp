@@ -136,7 +136,7 @@ std::vector<Vec2> WireSystem::free_moves(std::span<Vec2 const> values) const {
   std::vector<Vec2> result(values.size());
   for (int v = 0; v < std::ssize(values); ++v) {
     int const unknown = unknowns_[v];
-    if (unknown >= 0) result[v] = {moves[2 * unknown], moves[2 * unknown + 1]};
+    if (unknown >= 0) result[v] = {moves[2L * unknown], moves[2L * unknown + 1]};
   }
   return result;
 }

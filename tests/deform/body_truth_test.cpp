@@ -228,7 +228,7 @@ TEST(BodyTruth, NoTriangleTurnsOverInAnyDrag) {
 
 TEST(BodyTruth, ABarThatIsPulledStretchesEvenly) {
   auto const mesh = bar_mesh(200, 40, 20, 4);
-  constexpr double kStretch = 1.6;
+  constexpr double stretch = 1.6;
   BodySolver solver(mesh);
   auto pose = mesh.rest.points;
   std::vector<char> is_fixed;
@@ -236,13 +236,13 @@ TEST(BodyTruth, ABarThatIsPulledStretchesEvenly) {
     bool const is_end = p.x == 200;
     is_fixed.push_back(p.x == 0 || is_end);
     // The ends are where they shall be, and all between them has been pulled near one end only.
-    if (is_end) p.x = kStretch * 200;
+    if (is_end) p.x = stretch * 200;
   }
   for (int i = 0; i < 50; ++i) solver.step(pose, {{}, is_fixed}, 1);
   for (std::size_t v = 0; v < pose.size(); ++v) {
-    EXPECT_LT(distance(pose[v], {mesh.rest.points[v].x * kStretch, mesh.rest.points[v].y}), 1e-6);
+    EXPECT_LT(distance(pose[v], {mesh.rest.points[v].x * stretch, mesh.rest.points[v].y}), 1e-6);
   }
-  double const density = std::pow(kStretch - 1 / kStretch, 2);
+  double const density = std::pow(stretch - 1 / stretch, 2);
   EXPECT_NEAR(solver.energy(pose, {{}, is_fixed}), 200 * 40 * density, 1e-6);
 }
 
@@ -276,10 +276,10 @@ TEST(BodyTruth, ABarBendsUpwardsAsItBendsDownwards) {
   };
   auto const down = bent(80);
   auto const up = bent(-80);
-  constexpr int kRows = 5;
+  constexpr int rows = 5;
   for (std::size_t v = 0; v < down.size(); ++v) {
-    auto const column = v / kRows * kRows;
-    auto const mirrored = column + (kRows - 1 - v % kRows);
+    auto const column = v / rows * rows;
+    auto const mirrored = column + (rows - 1 - v % rows);
     EXPECT_LT(distance(down[v], {up[mirrored].x, -up[mirrored].y}), 1e-6);
   }
 }

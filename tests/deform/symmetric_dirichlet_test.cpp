@@ -87,10 +87,10 @@ TEST(SymmetricDirichlet, GradientIsTheDifferenceOfEnergies) {
     auto const places = random_places(rng);
     auto const model = dirichlet_model(rest, places);
     for (int i = 0; i < 6; ++i) {
-      constexpr double kStep = 1e-5;
-      double const difference = (dirichlet_energy(rest, nudged(places, i, kStep)) -
-                                 dirichlet_energy(rest, nudged(places, i, -kStep))) /
-                                (2 * kStep);
+      constexpr double step = 1e-5;
+      double const difference = (dirichlet_energy(rest, nudged(places, i, step)) -
+                                 dirichlet_energy(rest, nudged(places, i, -step))) /
+                                (2 * step);
       EXPECT_NEAR(coordinate(model.gradient(i / 2), i), difference,
                   1e-6 * (1 + std::abs(difference)));
     }
@@ -104,9 +104,9 @@ TEST(SymmetricDirichlet, HessianIsTheDifferenceOfGradients) {
     auto const places = random_places(rng);
     auto const model = dirichlet_model(rest, places);
     for (int i = 0; i < 6; ++i) {
-      constexpr double kStep = 1e-5;
-      auto const above = dirichlet_model(rest, nudged(places, i, kStep));
-      auto const below = dirichlet_model(rest, nudged(places, i, -kStep));
+      constexpr double step = 1e-5;
+      auto const above = dirichlet_model(rest, nudged(places, i, step));
+      auto const below = dirichlet_model(rest, nudged(places, i, -step));
       for (int j = 0; j < 6; ++j) {
         double hessian = 0;
         for (int d = 0; d < 4; ++d) {
@@ -114,7 +114,7 @@ TEST(SymmetricDirichlet, HessianIsTheDifferenceOfGradients) {
                      coordinate(model.rows[d][j / 2], j);
         }
         double const difference =
-            coordinate(above.gradient(j / 2) - below.gradient(j / 2), j) / (2 * kStep);
+            coordinate(above.gradient(j / 2) - below.gradient(j / 2), j) / (2 * step);
         EXPECT_NEAR(hessian, difference, 1e-6 * (1 + std::abs(difference)));
       }
     }

@@ -90,8 +90,8 @@ class Spread {
     };
     std::printf("%-36s median %8.4f  95 %% %8.4f  99 %% %8.4f  most %8.4f %s\n", what, at(50),
                 at(95), at(99), at(100), unit);
-    constexpr int kNamed = 5;
-    for (int i = 1; i <= kNamed && i <= std::ssize(values_); ++i) {
+    constexpr int most_named = 5;
+    for (int i = 1; i <= most_named && i <= std::ssize(values_); ++i) {
       auto const& [value, of] = values_[values_.size() - static_cast<std::size_t>(i)];
       if (value >= worth_a_name) std::printf("  %10.4f  %s\n", value, of.c_str());
     }
