@@ -45,6 +45,7 @@ Vec2 place_to_hold(Engine& engine) {
     largest = box.width() * box.height();
     host = &layer->layer;
   }
+  CHECK(host != nullptr, "a part with an area");
   for (auto const& piece : host->outlines.front().pieces) {
     auto const place = point_at(piece.curve, 0.5);
     auto const hit = pick_to_bend(document, place, 1, PickDepth::Nearest);

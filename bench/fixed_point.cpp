@@ -16,7 +16,7 @@ constexpr double kSettledPx = 1e-7;
 
 Vector vector_of(std::span<Vec2 const> pose) {
   Vector result(2 * std::ssize(pose));
-  for (int v = 0; v < std::ssize(pose); ++v) {
+  for (Eigen::Index v = 0; v < std::ssize(pose); ++v) {
     result[2 * v] = pose[v].x;
     result[2 * v + 1] = pose[v].y;
   }
@@ -25,7 +25,8 @@ Vector vector_of(std::span<Vec2 const> pose) {
 
 std::vector<Vec2> pose_of(Vector const& vector) {
   std::vector<Vec2> result;
-  for (int v = 0; v < vector.size() / 2; ++v) result.push_back({vector[2 * v], vector[2 * v + 1]});
+  for (Eigen::Index v = 0; v < vector.size() / 2; ++v)
+    result.push_back({vector[2 * v], vector[2 * v + 1]});
   return result;
 }
 

@@ -92,7 +92,7 @@ Step bend_to(ToolBending bend, ToolPointer const& now) {
   bend.last = now.canvas;
   Step step;
   step.bend = bend;
-  step.state = std::move(bend);
+  step.state = bend;
   return step;
 }
 
@@ -119,7 +119,7 @@ Step start_bend(ToolPressedToBend const& pressed, ToolPointer const& now, View c
   ToolBending bend = {pressed.what, pressed.from, pressed.what.place};
   bend.last = pressed.from.canvas;
   if (pressed.on == BendPress::Knob) bend.turn_rad = 0;
-  auto step = bend_to(std::move(bend), now);
+  auto step = bend_to(bend, now);
   select_held(step, pressed, view);
   return step;
 }

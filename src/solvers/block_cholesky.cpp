@@ -16,7 +16,7 @@ using Pair [[gnu::vector_size(16)]] = double;
 }  // namespace
 
 BlockCholesky::BlockCholesky(int size, std::span<std::array<int, 2> const> pairs)
-    : order_(size), place_(size), target_(size, 0), right_side_(2 * size) {
+    : order_(size), place_(size), target_(size, 0), right_side_(2L * size) {
   for (auto const& [a, b] : pairs) {
     CHECK(a != b && a >= 0 && b >= 0 && a < size && b < size, "a pair of different rows");
   }
@@ -138,7 +138,7 @@ void BlockCholesky::subtract_together(LeftBlock const* left) {
   std::array<Pair, kCount> first;
   std::array<Pair, kCount> second;
   for (int c = 0; c < kCount; ++c) {
-    from[c] = &numbers_[4 * left[c].position];
+    from[c] = &numbers_[4L * left[c].position];
     first[c] = Pair{from[c][0], from[c][2]};
     second[c] = Pair{from[c][1], from[c][3]};
   }
@@ -164,7 +164,7 @@ void BlockCholesky::subtract_together(LeftBlock const* left) {
 
 /// Of the diagonal, the inverses of its two numbers are kept: they are only ever divided by.
 bool BlockCholesky::divide_by_diagonal(int column) {
-  double* const diagonal = &numbers_[4 * starts_[column]];
+  double* const diagonal = &numbers_[4L * starts_[column]];
   bool const is_first_positive = diagonal[0] > 0;
   if (!is_first_positive) return false;
   double const first = 1 / std::sqrt(diagonal[0]);
@@ -178,7 +178,7 @@ bool BlockCholesky::divide_by_diagonal(int column) {
   diagonal[2] = below;
   diagonal[3] = second;
   for (int k = starts_[column] + 1; k < starts_[column + 1]; ++k) {
-    double* const block = &numbers_[4 * k];
+    double* const block = &numbers_[4L * k];
     block[0] *= first;
     block[1] = (block[1] - block[0] * below) * second;
     block[2] *= first;
@@ -191,36 +191,36 @@ void BlockCholesky::solve(std::span<double> values) {
   CHECK(std::ssize(values) == std::ptrdiff_t{2} * size(), "two numbers per block row");
   auto& x = right_side_;
   for (int i = 0; i < size(); ++i) {
-    x[2 * i] = values[2 * order_[i]];
-    x[2 * i + 1] = values[2 * order_[i] + 1];
+    x[2L * i] = values[2L * order_[i]];
+    x[2L * i + 1] = values[2L * order_[i] + 1];
   }
   for (int j = 0; j < size(); ++j) {
-    double const* block = &numbers_[4 * starts_[j]];
-    double const first = x[2 * j] * block[0];
-    double const second = (x[2 * j + 1] - block[2] * first) * block[3];
-    x[2 * j] = first;
-    x[2 * j + 1] = second;
+    double const* block = &numbers_[4L * starts_[j]];
+    double const first = x[2L * j] * block[0];
+    double const second = (x[2L * j + 1] - block[2] * first) * block[3];
+    x[2L * j] = first;
+    x[2L * j + 1] = second;
     for (int k = starts_[j] + 1; k < starts_[j + 1]; ++k) {
-      block = &numbers_[4 * k];
-      x[2 * rows_[k]] -= block[0] * first + block[1] * second;
-      x[2 * rows_[k] + 1] -= block[2] * first + block[3] * second;
+      block = &numbers_[4L * k];
+      x[2L * rows_[k]] -= block[0] * first + block[1] * second;
+      x[2L * rows_[k] + 1] -= block[2] * first + block[3] * second;
     }
   }
   for (int j = size() - 1; j >= 0; --j) {
-    double first = x[2 * j];
-    double second = x[2 * j + 1];
+    double first = x[2L * j];
+    double second = x[2L * j + 1];
     for (int k = starts_[j] + 1; k < starts_[j + 1]; ++k) {
-      double const* const block = &numbers_[4 * k];
-      first -= block[0] * x[2 * rows_[k]] + block[2] * x[2 * rows_[k] + 1];
-      second -= block[1] * x[2 * rows_[k]] + block[3] * x[2 * rows_[k] + 1];
+      double const* const block = &numbers_[4L * k];
+      first -= block[0] * x[2L * rows_[k]] + block[2] * x[2L * rows_[k] + 1];
+      second -= block[1] * x[2L * rows_[k]] + block[3] * x[2L * rows_[k] + 1];
     }
-    double const* const diagonal = &numbers_[4 * starts_[j]];
-    x[2 * j + 1] = second * diagonal[3];
-    x[2 * j] = (first - diagonal[2] * x[2 * j + 1]) * diagonal[0];
+    double const* const diagonal = &numbers_[4L * starts_[j]];
+    x[2L * j + 1] = second * diagonal[3];
+    x[2L * j] = (first - diagonal[2] * x[2L * j + 1]) * diagonal[0];
   }
   for (int i = 0; i < size(); ++i) {
-    values[2 * order_[i]] = x[2 * i];
-    values[2 * order_[i] + 1] = x[2 * i + 1];
+    values[2L * order_[i]] = x[2L * i];
+    values[2L * order_[i] + 1] = x[2L * i + 1];
   }
 }
 
