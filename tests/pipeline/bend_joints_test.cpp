@@ -11,17 +11,6 @@
 namespace inkflate {
 namespace {
 
-// On the outlines of the document.
-constexpr Vec2 kTopOfBody = {400, 190};
-constexpr Vec2 kBottomOfBody = {400, 710};
-constexpr Vec2 kTipOfArm = {758.8, 330.3};
-
-BendGrab body_at(Vec2 place) { return {kBody, {}, {}, place}; }
-
-bool is_shared(Document const& a, Document const& b, LayerId layer) {
-  return find_layer(a, layer) == find_layer(b, layer);
-}
-
 /// The mouth: the outline's only closing.
 Polyline mouth_of(Document const& document, LayerId layer) {
   for (auto const& run : runs(layer_of_hand(document, layer).outlines.front(), 0.01)) {

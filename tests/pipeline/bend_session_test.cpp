@@ -17,17 +17,6 @@
 namespace inkflate {
 namespace {
 
-// On the outlines.
-constexpr Vec2 kTopOfBody = {400, 190};
-constexpr Vec2 kBottomOfBody = {400, 710};
-constexpr Vec2 kTipOfArm = {758.8, 330.3};
-
-BendGrab body_at(Vec2 place) { return {kBody, {}, {}, place}; }
-
-bool is_shared(Document const& a, Document const& b, LayerId layer) {
-  return find_layer(a, layer) == find_layer(b, layer);
-}
-
 TEST(BendSession, APartThatNothingHoldsMovesAsAWholeAndWhatHangsOnItToo) {
   BendHand hand(jointed_document());
   auto const before = hand.document;

@@ -34,6 +34,12 @@ Document jointed_document() {
   return with_limb(document, "leg", {430, 640}, {460, 860}, 50);
 }
 
+BendGrab body_at(Vec2 place) { return {kBody, {}, {}, place}; }
+
+bool is_shared(Document const& a, Document const& b, LayerId layer) {
+  return find_layer(a, layer) == find_layer(b, layer);
+}
+
 std::vector<Command> BendHand::drag(BendGrab const& what, Vec2 to, BendReach reach,
                                     std::optional<double> turn_rad) {
   auto const fault = session.grab(document, what, reach, options);

@@ -18,6 +18,16 @@ inline constexpr LayerId kBody = LayerId{1};
 inline constexpr LayerId kArm = LayerId{2};
 inline constexpr LayerId kHand = LayerId{3};
 inline constexpr LayerId kLeg = LayerId{4};
+/// Places on its outlines.
+inline constexpr Vec2 kTopOfBody = {400, 190};
+inline constexpr Vec2 kBottomOfBody = {400, 710};
+inline constexpr Vec2 kTipOfArm = {758.8, 330.3};
+
+/// A hand on the body.
+BendGrab body_at(Vec2 place);
+
+/// Whether two documents share a layer.
+bool is_shared(Document const& a, Document const& b, LayerId layer);
 
 /// Someone who bends the parts of a document, one gesture after the other.
 class BendHand {
