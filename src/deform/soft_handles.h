@@ -23,7 +23,7 @@ struct Pull {
 /// Energies of triangles are px^2, and so are those of pulls: a strength means the same for a drawing of any size.
 class SoftHandles {
  public:
-  /// The share of one handle, in stiffnesses of the stiffest triangle: it misses its target by less than 0.5 px in all but absurd drags.
+  /// The share of one handle without a grip, in stiffnesses of the stiffest triangle: it misses its target by less than 0.5 px in all but absurd drags.
   static constexpr double kStrength = 1000;
 
   /// mesh: has to outlive the handles. handles: their anchors are in this mesh

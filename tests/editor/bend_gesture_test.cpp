@@ -115,6 +115,16 @@ TEST(BendGesture, AnotherToolOrModeInTheMidstDropsTheDrag) {
   }
 }
 
+TEST(BendGesture, DeleteInTheMidstOfADragTakesBackJustThat) {
+  auto artist = bender();
+  auto const before = artist.hash();
+  artist.press(kRight);
+  artist.move({760, 500});
+  artist.act("delete");
+  artist.release({760, 500});
+  EXPECT_EQ(artist.hash(), before);
+}
+
 TEST(BendGesture, WhatIsDraggedBackIsAsItWasUntilTheToolIsLeft) {
   auto artist = bender();
   auto const before = artist.only_layer();
