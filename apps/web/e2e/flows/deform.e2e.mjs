@@ -79,7 +79,7 @@ test("an arm that is dragged bends; undo and redo give each picture back", {}, a
   const raised = place([800, 60]);
   await mouse.drag(tip, raised, { steps: 30 });
   await studio.until("bent", (state) => state.undo === "deform");
-  await page.waitForTimeout(200);
+  await studio.atRest();
   const bent = await text(studio);
   assert.notEqual(bent, before);
   const drawn = readPng(await picture("bent"));
@@ -88,7 +88,7 @@ test("an arm that is dragged bends; undo and redo give each picture back", {}, a
   await keys.press("Control+z");
   await studio.until("undone", (state) => state.undo !== "deform");
   assert.equal(await text(studio), before);
-  await page.waitForTimeout(200);
+  await studio.atRest();
   assert.ok(hasLine(readPng(await picture("undone")), tip));
   await keys.press("Control+Shift+z");
   await studio.until("redone", (state) => state.undo === "deform");
@@ -112,7 +112,7 @@ test("a click on a line sets a pin, and Esc drops what is being bent", {}, async
   await picture("bending");
   await keys.press("Escape");
   await mouse.release(place([700, 200]));
-  assert.equal((await studio.state()).undo, "add_pin");
+  assert.equal((await studio.atRest()).undo, "add_pin");
   assert.equal(await text(studio), before);
   await mouse.drag(place([500, 200]), place([700, 230]), { steps: 20 });
   await studio.until("bent", (state) => state.undo === "deform");
@@ -131,16 +131,17 @@ test("a hand at rest lets the drawing settle, and then nothing goes on", {}, asy
     globalThis.inkflateFrames = 0;
     globalThis.inkflateStudio.onFrame(() => ++globalThis.inkflateFrames);
   });
-  const framesIn = async (ms, doing = () => undefined) => {
+  const framesOf = async (doing) => {
     const before = await page.evaluate(() => globalThis.inkflateFrames);
     await doing();
-    await page.waitForTimeout(ms);
     return (await page.evaluate(() => globalThis.inkflateFrames)) - before;
   };
-  const jump = () => mouse.send("mouseMoved", place([760, 300]), "left", 1);
-  const settling = await framesIn(3000, jump);
+  const settling = await framesOf(async () => {
+    await mouse.send("mouseMoved", place([760, 300]), "left", 1);
+    await studio.atRest();
+  });
   assert.ok(settling > 2, `it settled in ${settling} frames`);
-  assert.equal(await framesIn(600), 0);
+  assert.equal(await framesOf(() => page.waitForTimeout(600)), 0);
   await mouse.release(place([760, 300]));
   await studio.until("bent", (state) => state.undo === "deform");
 });
@@ -189,7 +190,7 @@ test("a limb that lies over its own body is filled there", {}, async (world) => 
   await mouse.stroke([way[0], ...smooth].map(place));
   await studio.until("bent", (state) => state.undo === "deform");
   await page.mouse.move(20, 500);
-  await page.waitForTimeout(300);
+  await studio.atRest();
   const drawn = readPng(await picture("crossed"));
   const [x, y] = place(way.at(-1));
   assert.ok(hasLine(drawn, [x, y]), "the limb does not lie over the body");
@@ -213,7 +214,7 @@ test("what was bent is there after a reload, with its pins, and is inflated", {}
   await page.reload();
   await studio.until("ready again", (state) => !state.isStarting && state.layers.length === 2);
   assert.equal(await text(studio), bent);
-  assert.equal((await studio.state()).pins, 1);
+  assert.equal((await studio.atRest()).pins, 1);
   await keys.press("d");
   await keys.press("n");
   await studio.until("the pin", (state) => state.hasPin);
@@ -235,7 +236,7 @@ test("pins are set, moved, turned and deleted by keys alone", {}, async (world) 
   assert.equal(await text(studio), before);
   await keys.press("n");
   await studio.until("the first pin", (state) => state.hasPin);
-  await page.waitForTimeout(100);
+  await studio.atRest();
   assert.match((await said()).join(" "), /Pin 1\/2/);
   for (let press = 0; press < 4; ++press) await keys.press("Shift+ArrowRight");
   await studio.until("moved", (state) => state.undo === "deform");
@@ -243,7 +244,7 @@ test("pins are set, moved, turned and deleted by keys alone", {}, async (world) 
   assert.notEqual(moved, before);
   await keys.press(".");
   await keys.press(".");
-  await page.waitForTimeout(300);
+  await studio.atRest();
   await picture("turned");
   assert.notEqual(await text(studio), moved);
   await keys.press("Delete");

@@ -53,7 +53,7 @@ test("an example is opened, changed, inflated, turned and exported by keys", {},
   await page.waitForTimeout(900);
   const front = readPng(await picture("front"));
   for (let count = 0; count < 8; ++count) await keys.press("ArrowRight");
-  await page.waitForTimeout(300);
+  await studio.atRest();
   assert.ok(countDifferent(front, readPng(await picture("turned"))) > 1000, "it has not turned");
 
   await keys.press("Control+Shift+e");

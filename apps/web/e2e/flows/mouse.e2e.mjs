@@ -74,14 +74,14 @@ test("a limb is joined by a help line, copied, and sent to the back", {}, async 
 });
 
 test("a character is inflated, turned, exported and printed", {}, async (world) => {
-  const { studio, page, mouse, picture } = world;
+  const { studio, mouse, picture } = world;
   await studio.open();
   const { place } = await drawCharacter(world, mouse);
   await picture("drawn");
   await inflate(world);
   const front = readPng(await picture("front"));
   await mouse.drag(place([500, 500]), place([750, 460]));
-  await page.waitForTimeout(300);
+  await studio.atRest();
   assert.ok(countDifferent(front, readPng(await picture("turned"))) > 2000, "it has not turned");
   await assertValidGlb(await studio.written("glb"));
   const print = await studio.written("stl");

@@ -13,14 +13,14 @@ function inkHeight(picture, x, y) {
   return count;
 }
 
-test("a line is as wide as the pen is pressed", tablet, async ({ studio, page, pen, picture }) => {
+test("a line is as wide as the pen is pressed", tablet, async ({ studio, pen, picture }) => {
   await studio.open();
   await studio.act("brush_size", "16");
   const from = 250;
   const points = Array.from({ length: 40 }, (_, index) => [from + index * 15, 400]);
   await pen.stroke(points, { force: (share) => 0.05 + 0.95 * share });
   await studio.until("a stroke", (state) => state.hasRoughStrokes);
-  await page.waitForTimeout(200);
+  await studio.atRest();
   const drawn = readPng(await picture("pressed"));
   const [light, strong] = [inkHeight(drawn, from + 60, 400), inkHeight(drawn, from + 540, 400)];
   assert.ok(light >= 1 && strong > 1.5 * light, `${light} px and ${strong} px`);

@@ -28,18 +28,19 @@ for (const device of ["tablet", "phone"]) {
       await studio.open();
       const { body, place } = await characterOn(studio);
       await drawPart(world, touch, body, 1);
-      const before = await studio.state();
+      const before = await studio.atRest();
       await touch.pinch(
         [place([400, 450]), place([600, 450])],
         [place([300, 450]), place([700, 450])],
       );
-      const zoomed = await studio.until("larger", (state) => state.zoom > 1.5 * before.zoom);
+      const zoomed = await studio.atRest();
+      assert.ok(zoomed.zoom > 1.5 * before.zoom);
       await picture("zoomed");
       await touch.pinch(
         [place([400, 450]), place([600, 450])],
         [place([400, 650]), place([600, 650])],
       );
-      const moved = await studio.state();
+      const moved = await studio.atRest();
       assert.ok(Math.abs(moved.zoom / zoomed.zoom - 1) < 0.02);
       assert.equal(moved.undo, before.undo);
     },
@@ -62,7 +63,7 @@ for (const device of ["tablet", "phone"]) {
         [640, 430],
       ].map(place),
     );
-    await page.waitForTimeout(300);
+    await studio.atRest();
     assert.ok(countDifferent(front, readPng(await picture("turned"))) > 1000);
   });
 }

@@ -99,7 +99,7 @@ test("repair: the gap slider bridges a gap that stays open", {}, async (world) =
   await picture("open");
   await keys.press("End");
   await studio.until("a large gap", (state) => state.gapPx !== null && state.gapPx > 100);
-  await page.waitForTimeout(300);
+  await studio.atRest();
   await picture("bridged");
   await studio.act("simplify");
   await studio.partsAre(1);

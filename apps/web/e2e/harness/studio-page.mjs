@@ -21,6 +21,14 @@ function readStudio() {
   };
 }
 
+/** Runs in the page. What hands do goes to the core with the next picture at the latest. */
+async function isAtRest() {
+  const nextPicture = () => new Promise((resolve) => requestAnimationFrame(resolve));
+  await nextPicture();
+  await nextPicture();
+  return globalThis.inkflateStudio.isAtRest();
+}
+
 export class StudioPage {
   constructor(page, origin) {
     this.page = page;
@@ -51,6 +59,16 @@ export class StudioPage {
 
   partsAre(count) {
     return this.until(`${count} parts`, (state) => state.layers.length === count);
+  }
+
+  /** Waits until all that hands have done shows, and nothing moves by itself; how things stand then. */
+  async atRest() {
+    const end = Date.now() + patienceMs;
+    while (!(await this.page.evaluate(isAtRest))) {
+      if (Date.now() > end) assert.fail("the core never comes to rest");
+      await sleep(20);
+    }
+    return this.state();
   }
 
   /** Waits until the last change has been kept on this device. */

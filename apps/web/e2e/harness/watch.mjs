@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sees what no person would: requests to elsewhere, breaches of the content security policy, errors.
+import { setTimeout as sleep } from "node:timers/promises";
 
 /** Runs in each page before its own scripts. */
 function reportBreaches() {
@@ -19,6 +20,16 @@ export class Watch {
 
   add(kind, text) {
     if (!this.expected.some((pattern) => pattern.test(text))) this.faults.push({ kind, text });
+  }
+
+  /** The faults of this kind, once there are any. */
+  async until(kind, timeoutMs = 30000) {
+    const end = Date.now() + timeoutMs;
+    for (;;) {
+      const found = this.faults.filter((fault) => fault.kind === kind);
+      if (found.length > 0 || Date.now() > end) return found;
+      await sleep(50);
+    }
   }
 
   #seeRequest(url) {

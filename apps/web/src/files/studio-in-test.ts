@@ -35,6 +35,7 @@ export class FakeStudio {
     const frame: Frame = {
       kind: "frame",
       sequence: 1,
+      isAtRest: true,
       scene: null,
       state: next,
       messages,

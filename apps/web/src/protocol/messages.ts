@@ -83,6 +83,8 @@ export interface Frame {
   readonly kind: "frame";
   /** Of the last event that has been taken in. */
   readonly sequence: number;
+  /** Nothing more will come before the next event. */
+  readonly isAtRest: boolean;
   /** null: looks as before. */
   readonly scene: SceneUpdate | null;
   /** null: as before. */

@@ -52,6 +52,7 @@ export class LiveStudio implements Studio {
   private readonly listeners = new Set<(frame: Frame) => void>();
   /** Number of the last event that a frame has told of. */
   private readonly answered = signal(0);
+  private hasCoreWork = true;
   private readonly exports = new Replies<number, readonly FileOut[]>();
   private readonly rawSessions = new Replies<string, Uint8Array>();
   private readonly byName = computed(
@@ -131,6 +132,11 @@ export class LiveStudio implements Studio {
 
   exportAs(extension: string): Promise<readonly FileOut[]> {
     return this.exports.wait(this.send({ type: "action", name: "export_as", argument: extension }));
+  }
+
+  /** Whether all that was sent shows, and nothing goes on by itself. */
+  isAtRest(): boolean {
+    return !this.hasCoreWork && this.answered.peek() >= this.client.lastSequence;
   }
 
   notify(
@@ -253,6 +259,7 @@ export class LiveStudio implements Studio {
   private takeFrame(frame: Frame): void {
     this.watch.over();
     this.answered.value = frame.sequence;
+    this.hasCoreWork = !frame.isAtRest;
     for (const listener of this.listeners) listener(frame);
     if (frame.state !== null) this.takeState(frame.state);
     const isExport = this.exports.resolve((asked) => asked <= frame.sequence, frame.files);

@@ -78,6 +78,8 @@ describe("work that can wait", () => {
     expect(engine.done).toEqual(["event", "work", "work", "work", "work"]);
     const frames = posted.filter(({ kind }) => kind === "frame");
     expect(frames).toHaveLength(5);
+    const areAtRest = frames.map((frame) => frame.kind === "frame" && frame.isAtRest);
+    expect(areAtRest).toEqual([false, false, false, false, true]);
     await aWhile();
     expect(posted.filter(({ kind }) => kind === "frame")).toHaveLength(5);
   });

@@ -104,15 +104,16 @@ export class CoreWorker {
 
   private takeTurn(): void {
     this.isTurnAsked = false;
-    this.sendFrame();
-    if (!this.engine.hasWork()) return;
+    const hasWork = this.engine.hasWork();
+    this.sendFrame(!hasWork);
+    if (!hasWork) return;
     this.engine.work();
     this.post({ kind: "progress", stage: "", share: null });
     this.collect(this.engine.takeChanges());
     this.askTurn();
   }
 
-  private sendFrame(): void {
+  private sendFrame(isAtRest: boolean): void {
     const scene = this.isSceneStale ? this.engine.scene() : null;
     const state = this.isStateStale ? this.engine.state() : null;
     const transfer = [...this.files.map((file) => file.bytes.buffer), ...buffersOf(scene)];
@@ -120,6 +121,7 @@ export class CoreWorker {
       {
         kind: "frame",
         sequence: this.sequence,
+        isAtRest,
         scene,
         state,
         messages: this.messages,
