@@ -34,7 +34,10 @@ test("a drawing dropped on an empty sheet is opened, a second one is added", {},
   const opened = await studio.until("opened", (state) => !state.isBlank);
   assert.equal(opened.fileName, "goose");
   await drop(page, "other.svg", "image/svg+xml", await drawing());
-  await page.getByRole("button", { name: "Open it instead" }).click();
+  const offer = page.getByRole("button", { name: "Open it instead" });
+  // With the focus in it, a notice waits.
+  await offer.focus();
+  await offer.click();
   await studio.until("opened instead", (state) => state.fileName === "other");
 });
 
