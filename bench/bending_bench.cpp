@@ -16,6 +16,8 @@ namespace {
 constexpr int kMoves = 40;
 // Less is a click.
 constexpr double kTakesHoldPx = 5;
+// Of two places that a hand would not take for one.
+constexpr double kElsewherePx = 100;
 
 /// A drawing of the examples, simplified where it is rough, with the Deform tool in the hand.
 Engine opened(std::string const& name) {
@@ -32,8 +34,8 @@ Engine opened(std::string const& name) {
   return engine;
 }
 
-/// On the line of the largest part, where no other hides it: its limbs hang on it.
-Vec2 place_to_hold(Engine& engine) {
+/// On the line of the largest part, where no other hides it: its limbs hang on it. So far away from a place at least.
+Vec2 place_to_hold(Engine const& engine, Vec2 from = {}, double least_px = 0) {
   auto const& document = engine.document();
   Layer const* host = nullptr;
   double largest = 0;
@@ -48,6 +50,7 @@ Vec2 place_to_hold(Engine& engine) {
   CHECK(host != nullptr, "a part with an area");
   for (auto const& piece : host->outlines.front().pieces) {
     auto const place = point_at(piece.curve, 0.5);
+    if (distance(place, from) < least_px) continue;
     auto const hit = pick_to_bend(document, place, 1, PickDepth::Nearest);
     if (hit && hit->is_on_line && hit->what.layer == host->id) return place;
   }
@@ -57,35 +60,22 @@ Vec2 place_to_hold(Engine& engine) {
 /// Somebody who bends, and what each kind of step takes until the scene shows it.
 class Bending {
  public:
-  explicit Bending(Engine& engine) : engine_(engine), hand_(engine) {
-    auto const view = engine.state().view;
-    start_ = canvas_to_screen(view.camera, view.size)(place_to_hold(engine));
-  }
+  explicit Bending(Engine& engine)
+      : engine_(engine), hand_(engine), start_(place_to_hold(engine)) {}
 
   /// Takes the tool anew: no part is known.
   void take_tool() {
     engine_.handle(ActionEvent{"brush"});
     engine_.handle(ActionEvent{"deform"});
-    while (engine_.has_work()) timed(idle_, [&] { engine_.work(); });
+    wait();
   }
 
-  /// One drag by this much, and undo. is_first: no part is known.
-  void drag(Vec2 way, bool is_first) {
-    hand_.wait();
-    timed(is_first ? press_ : press_again_, [&] {
-      hand_.send(PointerAction::Press, start_);
-      hand_.send(PointerAction::Move, start_ + normalized(way) * kTakesHoldPx);
-    });
-    for (int i = 1; i <= kMoves; ++i) {
-      timed(move_, [&] {
-        hand_.send(PointerAction::Move, start_ + way * i / kMoves);
-        engine_.work();
-      });
-    }
-    while (engine_.has_work()) timed(settle_, [&] { engine_.work(); });
-    timed(release_, [&] {
-      journal_bytes_ = hand_.send(PointerAction::Release, start_ + way).journal.size();
-    });
+  /// One drag by this much, of the place where the first one began. is_first: no part is known.
+  void drag(Vec2 way, bool is_first) { drag(start_, way, is_first ? press_ : press_again_); }
+
+  /// One drag that ends with another place in the hand than the last one, whose place no pin holds.
+  void drag_elsewhere(Vec2 way) {
+    drag(place_to_hold(engine_, start_ + way, kElsewherePx), way, press_elsewhere_);
   }
 
   void undo() {
@@ -96,6 +86,7 @@ class Bending {
     idle_.report(state, "idle");
     press_.report(state, "press");
     press_again_.report(state, "press_again");
+    press_elsewhere_.report(state, "press_elsewhere");
     move_.report(state, "move");
     settle_.report(state, "settle");
     release_.report(state, "release");
@@ -104,6 +95,30 @@ class Bending {
   }
 
  private:
+  void wait() {
+    while (engine_.has_work()) timed(idle_, [&] { engine_.work(); });
+  }
+
+  void drag(Vec2 place, Vec2 way, Times& press) {
+    wait();
+    auto const view = engine_.state().view;
+    auto const start = canvas_to_screen(view.camera, view.size)(place);
+    hand_.wait();
+    timed(press, [&] {
+      hand_.send(PointerAction::Press, start);
+      hand_.send(PointerAction::Move, start + normalized(way) * kTakesHoldPx);
+    });
+    for (int i = 1; i <= kMoves; ++i) {
+      timed(move_, [&] {
+        hand_.send(PointerAction::Move, start + way * i / kMoves);
+        engine_.work();
+      });
+    }
+    while (engine_.has_work()) timed(settle_, [&] { engine_.work(); });
+    timed(release_,
+          [&] { journal_bytes_ = hand_.send(PointerAction::Release, start + way).journal.size(); });
+  }
+
   template <typename Step>
   void timed(Times& times, Step step) {
     double const start = cpu_ms();
@@ -118,6 +133,7 @@ class Bending {
   Times idle_;
   Times press_;
   Times press_again_;
+  Times press_elsewhere_;
   Times move_;
   Times settle_;
   Times release_;
@@ -132,6 +148,8 @@ void bending(benchmark::State& state, std::string const& name) {
   for ([[maybe_unused]] auto const iteration : state) {
     person.take_tool();
     person.drag({60, 80}, true);
+    person.drag_elsewhere({60, 80});
+    person.undo();
     person.undo();
     person.drag({-40, 70}, false);
     person.undo();

@@ -50,27 +50,35 @@ std::vector<BendJoint> joints_of(Document const& document) {
   std::vector<BendJoint> joints;
   for (auto const& run : runs) {
     if (run.points.empty()) continue;
-    joints.push_back(
-        {layers[run.limb]->layer.id, layers[run.host]->layer.id, coarse(run.points), {}, {}, {}});
+    joints.push_back({layers[run.limb]->layer.id,
+                      layers[run.host]->layer.id,
+                      coarse(run.points),
+                      {},
+                      {},
+                      {},
+                      {}});
   }
   return joints;
 }
 
-BendPart* ready_part(BendParts const& parts, LayerId layer) {
+BendPart const* ready_part(BendParts const& parts, LayerId layer) {
   auto const found = parts.find(layer);
   return found != parts.end() && found->second->is_ready() ? found->second.get() : nullptr;
 }
 
-void anchor_limb(BendJoint& joint, BendPart const& limb, BendPart const* host) {
+void anchor_host(BendJoint& joint, BendPart const& host) {
+  auto const& pose = host.now().pose;
+  for (auto const point : joint.points) {
+    joint.hooks.push_back(hook_at(host.mesh(), pose, point));
+    joint.starts.push_back(place_of(host.mesh(), pose, joint.hooks.back()));
+  }
+}
+
+void anchor_limb(BendJoint& joint, BendPart const& limb) {
   auto const& pose = limb.now().pose;
-  for (int i = 0; i < std::ssize(joint.points); ++i) {
-    auto const anchor = limb.nearest(pose, joint.points[i]);
-    auto const place = place_of(limb.mesh().rest, pose, anchor);
-    auto const hosts = host != nullptr && !joint.hooks.empty()
-                           ? place_of(host->mesh(), host->now().pose, joint.hooks[i])
-                           : joint.points[i];
-    joint.anchors.push_back(anchor);
-    joint.beside.push_back(place - hosts);
+  for (auto const point : joint.points) {
+    joint.anchors.push_back(limb.nearest(pose, point));
+    joint.beside.push_back(place_of(limb.mesh().rest, pose, joint.anchors.back()) - point);
   }
 }
 
@@ -79,7 +87,9 @@ void anchor_limb(BendJoint& joint, BendPart const& limb, BendPart const* host) {
 Vec2 mouth_place(BendJoint const& joint, int point, BendPart const& host, BendPose const* pose) {
   auto const beside = joint.beside.empty() ? Vec2{} : joint.beside[point];
   if (pose == nullptr || joint.hooks.empty()) return joint.points[point] + beside;
-  return place_of(host.mesh(), *pose, joint.hooks[point]) + beside;
+  // By its way, so that a host that has not moved is the same to the last bit as one that has no mesh yet.
+  auto const way = place_of(host.mesh(), *pose, joint.hooks[point]) - joint.starts[point];
+  return joint.points[point] + way + beside;
 }
 
 void BendJoints::meet(Document const& document, BendParts const& parts) {
@@ -105,14 +115,10 @@ void BendJoints::meet(Document const& document, BendParts const& parts) {
 
 void BendJoints::anchor(BendParts const& parts) {
   for (auto& joint : joints_) {
-    auto* const limb = ready_part(parts, joint.limb);
-    auto* const host = ready_part(parts, joint.host);
-    if (host != nullptr && joint.hooks.empty()) {
-      for (auto const point : joint.points) {
-        joint.hooks.push_back(hook_at(host->mesh(), host->now().pose, point));
-      }
-    }
-    if (limb != nullptr && joint.anchors.empty()) anchor_limb(joint, *limb, host);
+    auto const* const limb = ready_part(parts, joint.limb);
+    auto const* const host = ready_part(parts, joint.host);
+    if (host != nullptr && joint.hooks.empty()) anchor_host(joint, *host);
+    if (limb != nullptr && joint.anchors.empty()) anchor_limb(joint, *limb);
   }
 }
 

@@ -21,7 +21,8 @@ struct BendJoint {
   Polyline points;                  // along the mouth, as it was when the joint was found
   std::vector<BendAnchor> anchors;  // of the points in the limb's mesh; empty: it has none yet
   std::vector<BendHook> hooks;      // in the host's mesh; empty: it has none yet
-  std::vector<Vec2> beside;         // from the host's places to the limb's: a hair
+  std::vector<Vec2> starts;         // of the hooks: the points but for rounding
+  std::vector<Vec2> beside;         // from the points to the limb's places: a hair
 };
 
 /// Where the host has a point of the mouth while it lies in this pose; null: as it was when the joint was found.

@@ -127,6 +127,11 @@ bool BendPart::is_left_loose(std::optional<Vec2> place) const {
   return !place || distance(*place, end) > kSamePlaceEdges * mesh().edge_px;
 }
 
+std::shared_ptr<BendPart> const& BendPart::begun_anew() {
+  if (!anew_ || !anew_->meet(now_.source)) anew_ = std::make_shared<BendPart>(now_.source);
+  return anew_;
+}
+
 std::optional<Error> BendPart::make_ready(BendOptions const& options) {
   if (!is_tried(options)) {
     auto made = Bender::make(shape_of(versions_.front().source), options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -78,6 +79,8 @@ class BendPart {
   void leave_loose(BendAnchor const& place);
   /// Whether that is what came of dragging another place than this, which no pin holds either; none: a pin does.
   bool is_left_loose(std::optional<Vec2> place) const;
+  /// The part whose rest is what this one is now; the same one for as long as this one keeps its shape.
+  std::shared_ptr<BendPart> const& begun_anew();
 
   /// It in a pose, as a Bend command has it.
   Bend::Part bent_layer(BendPose const& pose) const;
@@ -93,7 +96,8 @@ class BendPart {
   BendVersion now_;
   BendOptions options_;
   std::optional<Bender> bender_;
-  std::optional<Error> fault_;  // of Bender::make, with these options
+  std::optional<Error> fault_;      // of Bender::make, with these options
+  std::shared_ptr<BendPart> anew_;  // null: was not asked for
 };
 
 }  // namespace inkflate

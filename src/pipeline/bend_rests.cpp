@@ -50,21 +50,47 @@ std::optional<Error> BendRests::make_ready(BendPart& part, BendOptions options) 
   return part.make_ready(options);
 }
 
-bool BendRests::prepare(Document const& document, BendOptions const& options) {
+bool BendRests::prepare_one(Document const& document, BendParts const& parts,
+                            BendOptions const& options) const {
   int count = 0;
   for (auto layer = document.layers->rbegin(); layer != document.layers->rend(); ++layer) {
-    auto const part = parts_.find((*layer)->layer.id);
-    if (part == parts_.end() || fault_of((*layer)->layer)) continue;
+    auto const part = parts.find((*layer)->layer.id);
+    if (part == parts.end() || fault_of((*layer)->layer)) continue;
     if (++count > kPrepared) break;
     if (part->second->is_tried(options)) continue;
     make_ready(*part->second, options);
     return true;
   }
-  joints_.anchor(parts_);
   return false;
 }
 
-void BendRests::meet(Document const& document) {
+bool BendRests::prepare(Document const& document, BendOptions const& options) {
+  if (prepare_one(document, parts_, options)) return true;
+  joints_.anchor(parts_);
+  return prepare_anew(document, options);
+}
+
+/// The same for the press that takes another place than the last one.
+bool BendRests::prepare_anew(Document const& document, BendOptions const& options) {
+  for (auto const& stroke : strokes_) {
+    if (!stroke->is_left_loose({}) || stroke->begun_anew()->is_tried(options)) continue;
+    make_ready(*stroke->begun_anew(), options);
+    return true;
+  }
+  Joined anew = {parts_, joints_};
+  for (auto& [layer, part] : anew.parts) {
+    if (part->is_left_loose({})) part = std::shared_ptr(part->begun_anew());
+  }
+  bool const is_known = anew_ && anew_->parts == anew.parts;
+  if (is_known || anew.parts == parts_) return false;
+  if (prepare_one(document, anew.parts, options)) return true;
+  anew.joints.meet(document, anew.parts);
+  anew.joints.anchor(anew.parts);
+  anew_ = std::move(anew);
+  return true;
+}
+
+void BendRests::meet(Document const& document, BendRests const& copy) {
   // As at the first time, or meshes would depend on what was bent before them.
   if (parts_.empty()) least_edge_px_ = kLeastEdge * longer_side_px(document);
   for (auto const& layer : *document.layers) {
@@ -74,8 +100,13 @@ void BendRests::meet(Document const& document) {
     }
     BendSource const source = {layer, {}};
     auto& part = parts_[layer->layer.id];
-    if (!part || !part->meet(source)) part = std::make_shared<BendPart>(source);
+    if (part && part->meet(source)) continue;
+    auto const spare = copy.parts_.find(layer->layer.id);
+    bool const has_spare = spare != copy.parts_.end() && spare->second &&
+                           copy.least_edge_px_ == least_edge_px_ && spare->second->meet(source);
+    part = has_spare ? spare->second : std::make_shared<BendPart>(source);
   }
+  anew_.reset();
   joints_.meet(document, parts_);
 }
 
@@ -85,11 +116,13 @@ void BendRests::set_loose_ends(Document const& document, BendSource const& held,
     auto const& source = part->now().source;
     bool const is_held = source == held;
     if (is_held ? part->is_left_loose(by) : part->is_left_loose({})) {
-      part = std::make_shared<BendPart>(source);
+      part = std::shared_ptr(part->begun_anew());
     }
   };
   for (auto& [layer, part] : parts_) set(part);
   for (auto& part : strokes_) set(part);
+  if (anew_ && anew_->parts == parts_) joints_ = std::move(anew_->joints);
+  anew_.reset();
   // Joints lie in meshes: those of a part that has begun anew are found anew.
   joints_.meet(document, parts_);
 }

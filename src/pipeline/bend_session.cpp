@@ -34,15 +34,27 @@ BendSource source_of(Document const& document, BendGrab const& what) {
   return {{}, stroke_of(document, *what.stroke)};
 }
 
+/// Whether parts need no other mesh for other options.
+bool has_same_mesh(BendOptions const& a, BendOptions const& b) {
+  return a.mode == b.mode && a.strip_half_width_px == b.strip_half_width_px;
+}
+
 Error bad_input(char const* message) { return {ErrorCode::BadInput, message}; }
 
 }  // namespace
 
 struct BendSession::Inside {
+  /// A copy of the rests that has met another document.
+  struct Ahead {
+    BendRests rests;
+    Shared<std::vector<Shared<DocumentLayer>>> layers = {};  // of that document; null: none
+    BendOptions options = {};
+    bool is_prepared = false;
+  };
+
   BendRests rests;
-  BendOptions options;
-  Shared<std::vector<Shared<DocumentLayer>>>
-      prepared;                // the layers of the document of which all parts are; null: none
+  BendOptions options;  // of the rests
+  Ahead ahead;
   std::optional<BendRig> rig;  // while something is held
   std::shared_ptr<BendPart> part;
   int handle = 0;
@@ -51,8 +63,23 @@ struct BendSession::Inside {
   bool is_loose = false;  // no pin holds the place
   int idle_rounds = 0;    // since the hand moved
 
-  std::optional<Error> grab(Document const& document, BendGrab const& what, BendReach reach) {
-    rests.meet(document);
+  /// A person may have as much idle time as there is, or none: it leaves no trace in the rests, which are what grabs make of them. So it
+  /// works on a copy, which the next grab takes if it is of its document.
+  void look_ahead(Document const& document, BendOptions const& wanted) {
+    if (!has_same_mesh(ahead.options, wanted)) ahead = {};
+    ahead.is_prepared = ahead.is_prepared && ahead.options == wanted;
+    ahead.options = wanted;
+    if (ahead.layers == document.layers) return;
+    auto next = has_same_mesh(options, wanted) ? rests : BendRests();
+    next.meet(document, ahead.rests);
+    ahead = {std::move(next), document.layers, wanted};
+  }
+
+  std::optional<Error> grab(Document const& document, BendGrab const& what, BendReach reach,
+                            BendOptions const& wanted) {
+    look_ahead(document, wanted);
+    rests = std::exchange(ahead, {}).rests;
+    options = wanted;
     auto const by = what.pin ? std::nullopt : std::optional(what.place);
     is_loose = by.has_value();
     rests.set_loose_ends(document, source_of(document, what), by);
@@ -88,24 +115,16 @@ BendSession::~BendSession() = default;
 BendSession::BendSession(BendSession&&) noexcept = default;
 BendSession& BendSession::operator=(BendSession&&) noexcept = default;
 
-void BendSession::set_options(BendOptions const& options) {
-  auto& inside = *inside_;
-  bool const is_other_mesh = options.mode != inside.options.mode ||
-                             options.strip_half_width_px != inside.options.strip_half_width_px;
-  if (is_other_mesh) forget();
-  inside.options = options;
-}
-
 void BendSession::prepare(Document const& document, BendOptions const& options) {
   if (is_holding() || is_prepared(document, options)) return;
-  set_options(options);
-  auto& inside = *inside_;
-  inside.rests.meet(document);
-  if (!inside.rests.prepare(document, options)) inside.prepared = document.layers;
+  auto& ahead = inside_->ahead;
+  inside_->look_ahead(document, options);
+  ahead.is_prepared = !ahead.rests.prepare(document, options);
 }
 
 bool BendSession::is_prepared(Document const& document, BendOptions const& options) const {
-  return inside_->prepared == document.layers && inside_->options == options;
+  auto const& ahead = inside_->ahead;
+  return ahead.is_prepared && ahead.layers == document.layers && ahead.options == options;
 }
 
 std::optional<Error> BendSession::grab(Document const& document, BendGrab const& what,
@@ -117,8 +136,7 @@ std::optional<Error> BendSession::grab(Document const& document, BendGrab const&
   if (what.layer == LayerId::None && !what.stroke) {
     return Error{ErrorCode::NothingThere, "there is no line to hold here"};
   }
-  set_options(options);
-  return inside_->grab(document, what, reach);
+  return inside_->grab(document, what, reach, options);
 }
 
 void BendSession::drag(Vec2 target, std::optional<double> turn_rad) {
@@ -171,7 +189,7 @@ void BendSession::release(Document const* result) {
 void BendSession::forget() {
   release(nullptr);
   inside_->rests = {};
-  inside_->prepared.reset();
+  inside_->ahead = {};
 }
 
 }  // namespace inkflate

@@ -44,8 +44,8 @@ class BendSession {
   BendSession(BendSession&&) noexcept;
   BendSession& operator=(BendSession&&) noexcept;
 
-  /// Makes what a drag needs of the document's parts, one part in each call, so that the next press takes no time. Idle while something is
-  /// held.
+  /// Makes what a drag needs of the document's parts, one part in each call, so that the next press takes no time, also where it takes another
+  /// place than the last one. Drags are the same with and without it, to the last bit. Idle while something is held.
   /// cost    that of Bender::make
   void prepare(Document const& document, BendOptions const& options);
   /// Nothing is left to be prepared. cost: O(1)
@@ -80,8 +80,6 @@ class BendSession {
   void forget();
 
  private:
-  void set_options(BendOptions const& options);
-
   struct Inside;
   std::unique_ptr<Inside> inside_;
 };
