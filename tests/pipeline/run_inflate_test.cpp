@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
+#include "geometry/polyline.h"
+#include "geometry/trig.h"
 #include "inflate/inflate.h"
 #include "mesh/check_mesh.h"
 #include "support/characters.h"
@@ -67,6 +70,32 @@ Vec3 mean_point(RestModel const& model) {
     area += own;
   }
   return sum / (3 * area);
+}
+
+/// Where the drawn points of a layer at this x came to lie, from top to bottom.
+Polyline right_side(FlatLayer const& layer, RestModel const& model, double x) {
+  std::map<double, Vec2> places;
+  for (std::size_t t = 0; t < layer.mesh.triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      int const point = layer.mesh.triangles[t][k];
+      Vec2 const drawn = layer.mesh.points[point];
+      bool const is_on_it = layer.kinds[point] == VertexKind::Drawn && std::abs(drawn.x - x) < 1e-6;
+      if (is_on_it) places[drawn.y] = model.canvas[layer.sheets[0][t][k]];
+    }
+  }
+  Polyline line;
+  for (auto const& entry : places) line.push_back(entry.second);
+  return line;
+}
+
+/// Degrees.
+double sharpest_corner(Polyline const& line) {
+  double least_cosine = 1;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    least_cosine = std::min(
+        least_cosine, dot(normalized(line[i] - line[i - 1]), normalized(line[i + 1] - line[i])));
+  }
+  return acos_of(least_cosine) * 180 / kPi;
 }
 
 TEST(RunInflate, ADiscOfThicknessFourIsABall) {
@@ -139,7 +168,21 @@ TEST(RunInflate, TheSurfaceRunsOnSmoothlyAtTheEndsOfJoints) {
     ASSERT_TRUE(flat.has_value());
     auto const model = inflate(*flat);
     ASSERT_TRUE(model.has_value());
-    EXPECT_LE(largest_angle_at_joints(*flat, *model, 10), 35) << layers;
+    EXPECT_LE(largest_angle_at_joints(*flat, *model, 10), 25) << layers;
+  }
+}
+
+TEST(RunInflate, AStraightLimbHasNoStepInItsOutlineWhereItsJointEnds) {
+  for (double const half_width_px : {20.0, 30.0, 60.0}) {
+    auto const flat =
+        assemble(drawing_of({drawn_layer("body", ellipse_contour({500, 350}, 300, 200)),
+                             limb_layer("limb", {500, 400}, {500, 850}, half_width_px)}));
+    ASSERT_TRUE(flat.has_value());
+    auto const model = inflate(*flat);
+    ASSERT_TRUE(model.has_value());
+    auto const line = right_side(flat->layers[1], *model, 500 + half_width_px);
+    ASSERT_GT(line.size(), 20U);
+    EXPECT_LE(sharpest_corner(line), 33) << half_width_px;
   }
 }
 
