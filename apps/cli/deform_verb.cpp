@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "cli/batch.h"
+#include "cli/console.h"
 #include "cli/files.h"
 #include "cli/load_project.h"
 #include "cli/option_values.h"
@@ -21,6 +25,9 @@
 
 namespace inkflate::cli {
 namespace {
+
+// Less is not seen in a drawing.
+constexpr double kWorthTellingPx = 1;
 
 /// The options as the user wrote them.
 struct DeformCall {
@@ -108,8 +115,13 @@ Result<DeformPlan> make_plan(DeformCall const& call) {
   return plan;
 }
 
+bool goes(PinWords const& pin) { return pin.to || pin.turn_deg; }
+
 /// A bend that was refused, by the pin that is to blame.
 Error blamed(Error error, std::vector<PinWords> const& pins) {
+  if (error.code == ErrorCode::NothingThere && std::none_of(pins.begin(), pins.end(), goes)) {
+    error.message += "; a pin that goes somewhere has two places, PART:X,Y:X,Y";
+  }
   if (error.index < 0 || error.index >= std::ssize(pins)) return error;
   error.message = pins[static_cast<std::size_t>(error.index)].source + ": " + error.message;
   return error;
@@ -135,6 +147,23 @@ BendFacts facts_of(Document const& document, std::vector<BendMove> const& moves,
   return facts;
 }
 
+/// What came out otherwise than it was asked for.
+void warn(std::string const& input, DeformPlan const& plan, std::vector<BendMove> const& moves,
+          BentDocument const& bent) {
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    double const off_px = distance(bent.ends[i], moves[i].to);
+    if (off_px < kWorthTellingPx) continue;
+    std::ostringstream message;
+    message << plan.pins[i].source << " ends " << std::llround(off_px)
+            << " px from where it was to go: other pins or the drawing's joints hold against it";
+    print_warning(input, message.str());
+  }
+  if (!bent.is_settled) {
+    print_warning(input, "still moving after " + std::to_string(bent.steps) +
+                             " steps; the bend is written as it was then");
+  }
+}
+
 Result<Json> deform_one(DeformCall const& call, DeformPlan const& plan, int index,
                         ProgressLine& line) {
   StageClock clock;
@@ -151,6 +180,7 @@ Result<Json> deform_one(DeformCall const& call, DeformPlan const& plan, int inde
   if (!moves) return moves.error();
   auto const bent = bend_document(*document, *moves, plan.bend, progress);
   if (!bent) return blamed(bent.error(), plan.pins);
+  if (!call.shared.is_quiet) warn(call.shared.inputs[place], plan, *moves, *bent);
   auto const result = inkflate::apply(*document, bent->commands);
   if (!result) return result.error();
   progress.report("write");

@@ -17,7 +17,13 @@ namespace {
 
 constexpr double kTolerancePx = 0.05;  // far below what anybody reads off a picture
 
+constexpr std::size_t kMostNamed = 8;  // parts of one message
+
 std::string in_quotes(std::string const& name) { return "\"" + name + "\""; }
+
+Error nothing_closed() {
+  return {ErrorCode::BadInput, "there is no closed shape to bend; simplify it first"};
+}
 
 /// The nearest place of a part's line.
 struct Hit {
@@ -35,6 +41,16 @@ void look_at(Layer const& layer, Vec2 at, Hit& best) {
       if (squared_px < best.squared_px) best = {&layer, place, squared_px};
     }
   }
+}
+
+/// The parts that there are, back to front: 1 "tail", 2 "body", ...
+std::string named_parts(Document const& document) {
+  auto const& layers = *document.layers;
+  std::string names;
+  for (std::size_t i = 0; i < layers.size() && i < kMostNamed; ++i) {
+    names += (i == 0 ? "" : ", ") + std::to_string(i + 1) + ' ' + in_quotes(layers[i]->layer.name);
+  }
+  return layers.size() > kMostNamed ? names + ", ..." : names;
 }
 
 /// The part that a name or a number means. errors: BadInput
@@ -55,8 +71,9 @@ Result<Layer const*> named_part(Document const& document, std::string const& par
       *number == std::floor(*number)) {
     return &layers[static_cast<std::size_t>(*number) - 1]->layer;
   }
+  if (layers.empty()) return nothing_closed();
   return Error{ErrorCode::BadInput,
-               "there is no part " + in_quotes(part) + "; inkflate info names them, back to front"};
+               "there is no part " + in_quotes(part) + "; there are " + named_parts(document)};
 }
 
 /// errors  BadInput: without the pin's source
@@ -72,7 +89,7 @@ Result<Hit> find_place(Document const& document, PinWords const& pin) {
     look_at(**part, pin.at, best);
   }
   if (best.layer == nullptr) {
-    return Error{ErrorCode::BadInput, "there is no closed shape to bend; simplify it first"};
+    return nothing_closed();
   }
   double const most_px = kPickShare * std::max(document.width_px, document.height_px);
   double const far_px = std::sqrt(best.squared_px);

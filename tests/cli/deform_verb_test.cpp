@@ -93,7 +93,8 @@ TEST_F(DeformVerb, RefusesPinsThatMeanNothingAndSaysWhich) {
         Case{R"({"pins": [{"at": [100, 200], "to": [1e7, 2]}]})", "1 000 000 px"},
         Case{R"({"pins": [{"at": [100, "nan"]}]})", "1 000 000 px"},
         Case{R"({"pins": [{"at": [100, 200], "turn": 3601}]})", "3600"},
-        Case{R"({"pins": [{"at": [100, 200], "part": "leg"}]})", "no part \"leg\""},
+        Case{R"({"pins": [{"at": [100, 200], "part": "leg"}]})",
+             R"(no part "leg"; there are 1 "bar", 2 "box")"},
         Case{R"({"pins": [{"at": [100, 200], "part": 3}]})", "no part \"3\""},
         Case{R"({"pins": [{"at": [100, 200], "part": "box"}]})", "px from the line of \"box\""},
         Case{R"({"pins": [{"at": [300, 270]}]})",
@@ -135,6 +136,23 @@ TEST_F(DeformVerb, RefusesWrongUsage) {
 TEST_F(DeformVerb, PinsThatMoveNothingAreRefused) {
   auto const run = deform({"parts.svg", "--pin", "bar:500,200", "-o", "bent.svg"});
   EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_NE(run.err.find("nothing moves; a pin that goes somewhere"), std::string::npos) << run.err;
+}
+
+TEST_F(DeformVerb, PinsThatDoNotGetThereAreToldUnlessQuiet) {
+  std::vector<std::string> const pulled = {"parts.svg",   "--pin", "bar:500,200:560,260", "--pin",
+                                           "bar:100,200", "--pin", "bar:500,200:460,260", "-o",
+                                           "bent.svg"};
+  auto const told = deform(pulled);
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_NE(told.err.find("parts.svg: warning: --pin 1 ends 55 px from where it was to go"),
+            std::string::npos)
+      << told.err;
+  EXPECT_EQ(told.err.find("--pin 2"), std::string::npos) << told.err;
+  EXPECT_NE(told.err.find("warning: --pin 3"), std::string::npos) << told.err;
+  auto quiet = pulled;
+  quiet.emplace_back("--quiet");
+  EXPECT_EQ(deform(quiet).err, "");
 }
 
 TEST_F(DeformVerb, BatchGoesOnAfterAFileWithoutSuchAPart) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { render } from "preact";
+import { windowView } from "./canvas/window-view";
 import { attachFiles } from "./files/attach-files";
 import { attachUpdates } from "./files/updates";
 import { mountCanvas } from "./mount-canvas";
@@ -12,6 +13,7 @@ const studio = createStudio({
   preferences: loadPreferences(),
   startWorker: startBrowserWorker,
   loadCore: loadBrowserCore,
+  view: windowView,
 });
 attachFiles(studio);
 attachUpdates(studio);

@@ -12,6 +12,7 @@ import { ViewSize } from "./view-size";
 import { WetInk } from "./wet-ink";
 import { WetLines } from "./wet-lines";
 import { WetPen } from "./wet-pen";
+import { viewOf } from "./window-view";
 
 export interface StageOptions {
   /** Sends an event to the core; returns its number, which ascends. */
@@ -21,9 +22,6 @@ export interface StageOptions {
   /** Cmd takes the place of Ctrl. */
   readonly isApple: boolean;
 }
-
-/** What is fitted into the window leaves the bars above and below it free, px. */
-const barsPx = 148;
 
 /** So long after the last change the paper is at rest, ms. */
 const restMs = 120;
@@ -166,7 +164,7 @@ export class Stage {
   private sendSize(): void {
     const { width, height } = this.size;
     if (width < 1 || height < 1) return;
-    this.lastResize = this.options.send({ type: "resize", width, height, bars: barsPx });
+    this.lastResize = this.options.send(viewOf(width, height));
   }
 
   private requestPaint(): void {

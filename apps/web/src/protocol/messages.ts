@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { CoreEvent } from "./events";
+import type { CoreEvent, ResizeInput } from "./events";
 import type { SceneUpdate } from "./scene";
 import type { ActionRow, EngineState, Language } from "./state";
 
@@ -62,6 +62,8 @@ export type ToWorker =
       readonly wasm: WebAssembly.Module;
       readonly startWith: StartWith;
       readonly language: Language;
+      /** A drawing that is taken up again is fitted into it. */
+      readonly view: ResizeInput;
     }
   /** sequence: of the last event of these; ascending. */
   | { readonly kind: "events"; readonly events: readonly CoreEvent[]; readonly sequence: number }

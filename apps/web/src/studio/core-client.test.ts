@@ -30,6 +30,7 @@ function clientWithWorkers() {
     },
     loadCore: () => Promise.resolve(emptyModule),
     language: () => "en",
+    view: () => ({ type: "resize", width: 390, height: now + 1, bars: 0 }),
     onMessage: (message) => heard.push(message),
     onStart: () => {
       client.send({ type: "resize", width: 10, height: 20, bars: 0 });
@@ -62,6 +63,19 @@ describe("CoreClient", () => {
       sequence: 2,
       events: [{ type: "resize" }, { type: "action" }],
     });
+  });
+
+  test("tells each worker with its first message how large the window is now", async () => {
+    const { client, workers, settled, later } = clientWithWorkers();
+    await client.start({ kind: "new" });
+    later(843);
+    client.restart();
+    await settled();
+    const views = workers.map(({ sent }) => sent[0]);
+    expect(views).toMatchObject([
+      { kind: "start", view: { width: 390, height: 1 } },
+      { kind: "start", view: { width: 390, height: 844 } },
+    ]);
   });
 
   test("sends the events of one turn together, with the number of the last", async () => {

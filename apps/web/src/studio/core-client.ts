@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { CoreEvent } from "../protocol/events";
+import type { CoreEvent, ResizeInput } from "../protocol/events";
 import type { FromWorker, StartWith, ToWorker } from "../protocol/messages";
 import type { Language } from "../protocol/state";
 
@@ -15,8 +15,10 @@ export interface CoreClientOptions {
   /** Asked for at each start. */
   loadCore(): Promise<WebAssembly.Module>;
   language(): Language;
+  /** Of the window as it is now. */
+  view(): ResizeInput;
   onMessage(message: FromWorker): void;
-  /** A worker has started: it knows nothing yet of the window. Events sent from here come before all others. */
+  /** A worker has started. Events sent from here come before all others. */
   onStart(): void;
   /** The core stops again and again, whatever is opened. */
   onHopeless(why: string): void;
@@ -61,7 +63,8 @@ export class CoreClient {
     }
     if (this.port !== port) return;
     this.isTold = true;
-    port.post({ kind: "start", wasm, startWith, language: this.options.language() });
+    const language = this.options.language();
+    port.post({ kind: "start", wasm, startWith, language, view: this.options.view() });
     const early = this.waiting;
     this.waiting = [];
     this.options.onStart();

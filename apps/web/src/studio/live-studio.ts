@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { batch, computed, signal, type ReadonlySignal } from "@preact/signals";
 import type { ActionName } from "../protocol/actions.generated";
-import type { CoreEvent, FileUse } from "../protocol/events";
+import type { CoreEvent, FileUse, ResizeInput } from "../protocol/events";
 import type {
   CanvasRect,
   FileOut,
@@ -30,6 +30,8 @@ export interface StudioOptions {
   readonly preferences: Preferences;
   readonly startWorker: (listen: (message: FromWorker) => void) => CorePort;
   readonly loadCore: () => Promise<WebAssembly.Module>;
+  /** What the core is told of the window. */
+  readonly view: () => ResizeInput;
 }
 
 type Ready = Extract<FromWorker, { kind: "ready" }>;
@@ -71,6 +73,7 @@ export class LiveStudio implements Studio {
       startWorker: options.startWorker,
       loadCore: options.loadCore,
       language: () => this.preferences.language.value,
+      view: options.view,
       onMessage: (message) => {
         this.take(message);
       },

@@ -71,6 +71,7 @@ export async function startCore(start: Start, post: Post): Promise<CoreWorker> {
   const opened = await store.open(choice.session);
   const engine = await loading;
   engine.handle({ type: "action", name: "language", argument: start.language });
+  engine.handle(start.view);
   const worker = new CoreWorker(engine, store, post);
   worker.collect(engine.takeChanges());
   const isSomethingGone = recover(engine, worker, opened);
