@@ -118,5 +118,17 @@ TEST(OutlineRide, BendsALongCubicIntoAnArc) {
   }
 }
 
+TEST(OutlineRide, KeepsABendThatNeitherTheWholePieceNorItsHalvesShow) {
+  auto const bender = made_bender({{bar_outline(400, 40)}, {}});
+  // Two humps: at both ends of each half the side lies and points as at rest.
+  auto const bent = bender.bent(posed(bender.rest_pose(), [](Vec2 p) {
+    double const sin = sin_cos(2 * kPi * p.x / 400).sin;
+    return Vec2{p.x, p.y + 10 * sin * sin};
+  }));
+  double highest = 0;
+  for (auto const& piece : bent.outlines[0].pieces) highest = larger(highest, piece.curve.end().y);
+  EXPECT_NEAR(highest, 50, 0.1);
+}
+
 }  // namespace
 }  // namespace inkflate
