@@ -200,7 +200,9 @@ TEST(BendSession, AnySequenceOfCallsIsSafe) {
   EXPECT_TRUE(session.grab(document, {LayerId{99}, {}, {}, {}}, {}, {}).has_value());
   EXPECT_TRUE(session.grab(document, {kBody, {}, 0, {}}, {}, {}).has_value());
   EXPECT_TRUE(session.grab(document, body_at({nan, 0}), {}, {}).has_value());
-  EXPECT_TRUE(session.grab(document, body_at(kTopOfBody), {-1.0}, {}).has_value());
+  for (double const reach : {-1.0, 0.0, nan, std::numeric_limits<double>::infinity()}) {
+    EXPECT_TRUE(session.grab(document, body_at(kTopOfBody), {reach}, {}).has_value()) << reach;
+  }
   EXPECT_TRUE(session.grab(document, {LayerId::None, StrokeRef{kBody, 7}, {}, {}}, {}, {}));
   ASSERT_FALSE(session.grab(document, body_at(kTopOfBody), {}, {}).has_value());
   ASSERT_FALSE(session.grab(document, {kArm, {}, {}, kTipOfArm}, {}, {}).has_value());
