@@ -28,7 +28,7 @@ struct PinFile {
   std::optional<double> body = {};  // BendOptions::kLeastBody .. 1
 };
 
-/// No call has more pins than this.
+/// No file names more pins than this.
 inline constexpr int kMaxPins = 1024;
 
 /// Reads {"pins": [{"part", "at": [x, y], "to": [x, y], "turn": degrees}], "mode", "body"}; all but "pins" and "at" may be missing, and what is not

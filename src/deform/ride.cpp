@@ -16,6 +16,9 @@ constexpr double kOwnReach = 2;
 // What is near: so many times as far away as the nearest point, and so many edges more.
 constexpr double kNearFactor = 2.5;
 constexpr double kNearEdges = 2;
+// What reaches farther than so many edges takes every second point of the lines, what reaches twice as far every fourth, and so on: else
+// each of a thousand samples far outside would hang on every point there is. No place beside a line that is its own reaches so far.
+constexpr double kFineReachEdges = 8;
 
 double smoothstep(double t) { return t * t * (3 - 2 * t); }
 
@@ -41,8 +44,8 @@ void RidePlaces::add_line_points(BendLine const& line) {
   for (int i = 0; i < count; ++i) {
     bool const is_end = !line.is_closed && i + 1 == count;
     int const vertex = line.vertices[i];
-    line_points_.push_back(
-        {vertex, is_end ? vertex : line.vertices[(i + 1) % count], points[vertex], 0});
+    line_points_.push_back({vertex, is_end ? vertex : line.vertices[(i + 1) % count],
+                            points[vertex], 0, i, count - i});
   }
   for (int i = 0; i < count; ++i) {
     auto& own = line_points_[first + i];
@@ -154,15 +157,26 @@ void RidePlaces::add_near(Vec2 place) {
   if (around > 0) add_around(place, nearest_px, around);
 }
 
+/// By two of the finenesses of the lines, with a passage from each to the next: so there are no jumps.
 void RidePlaces::add_around(Vec2 place, double nearest_px, double weight) {
   double const reach = kNearFactor * nearest_px + kNearEdges * shape_->mesh.edge_px;
+  double fine = kFineReachEdges * std::max(shape_->mesh.edge_px, longest_edge_px_);
+  int stride = 1;
+  for (; reach > 2 * fine && stride < std::ssize(line_points_); stride *= 2) fine *= 2;
+  double const coarser = smoothstep(std::clamp(reach / fine - 1, 0.0, 1.0));
+  if (coarser < 1) add_all_within(reach, stride, place, nearest_px, weight * (1 - coarser));
+  if (coarser > 0) add_all_within(reach, 2 * stride, place, nearest_px, weight * coarser);
+}
+
+void RidePlaces::add_all_within(double reach, int stride, Vec2 place, double nearest_px,
+                                double weight) {
   auto const first = terms_.size();
   double sum = 0;
   visit_near(place, reach, [&](LinePoint const& own) {
     double const away = distance(own.place, place);
-    if (!(away < reach)) return;
+    if (own.rank % stride != 0 || !(away < reach)) return;
     double const fade = (1 - away / reach) * (nearest_px / away);
-    double const share = own.length_px * fade * fade;
+    double const share = std::min(stride, own.left) * own.length_px * fade * fade;
     terms_.push_back({own.vertex, share, place - own.place, share});
     sum += share;
   });

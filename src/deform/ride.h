@@ -26,7 +26,7 @@ class RidePlaces {
   /// A place of the outline or line from which line `line` of the mesh was made, by its parameter there. Returns the place's index.
   int add_on_line(int line, double parameter, Vec2 place);
   /// A place anywhere: rides in its triangle or, outside of all, after the lines that are near. Returns its index.
-  /// cost    O(1) inside and near a line, O(points of the mesh's lines) far away
+  /// cost    O(1) inside and near a line; far away O(points of the mesh's lines) once, and some tens of vertices to ride on
   int add(Vec2 place);
 
   Vec2 rest(int index) const { return places_[index]; }
@@ -50,6 +50,8 @@ class RidePlaces {
     int next = 0;  // vertex; itself where the line ends
     Vec2 place;
     double length_px = 0;  // of the line that is its own: half of both edges
+    int rank = 0;          // along the line, from 0
+    int left = 0;          // how many points the line has from this one on
   };
 
   void add_line_points(BendLine const& line);
@@ -62,6 +64,7 @@ class RidePlaces {
   double nearest_point_px(Vec2 place) const;
   void add_near(Vec2 place);
   void add_around(Vec2 place, double nearest_px, double weight);
+  void add_all_within(double reach, int stride, Vec2 place, double nearest_px, double weight);
 
   ShapeMesh const* shape_;
   TriangleGrid triangles_;

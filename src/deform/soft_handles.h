@@ -26,7 +26,7 @@ class SoftHandles {
   /// The share of one handle without a grip, in stiffnesses of the stiffest triangle: it misses its target by less than 0.5 px in all but absurd drags.
   static constexpr double kStrength = 1000;
 
-  /// mesh: has to outlive the handles. handles: their anchors are in this mesh
+  /// mesh, handles: have to outlive this; the anchors are in this mesh
   SoftHandles(BendMesh const& mesh, std::span<BendHandle const> handles);
 
   /// Towards the targets and turns themselves.

@@ -26,10 +26,10 @@ double dirichlet_energy(RestTriangle const& rest, std::array<Vec2, 3> const& pla
 ///
 /// source  Smith, de Goes, Kim 2019, "Analytic Eigensystems for Isotropic Distortion Energies", in two dimensions
 struct DirichletModel {
-  std::array<std::array<Vec2, 3>, 4>
-      rows;  // per direction and corner, 1/px: how the corner's move changes the direction
-  std::array<double, 4>
-      curvatures;  // px^2; > 0, but of the third: < 0 where a triangle is pressed together
+  /// Per direction and corner, 1/px: how the corner's move changes the direction.
+  std::array<std::array<Vec2, 3>, 4> rows;
+  /// px^2; > 0, but of the third: < 0 where a triangle is pressed together.
+  std::array<double, 4> curvatures;
   std::array<double, 2> slopes;  // of the first two directions, px^2; of the others 0
 
   Vec2 gradient(int corner) const {

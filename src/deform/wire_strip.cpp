@@ -6,8 +6,8 @@
 namespace inkflate {
 namespace {
 
-constexpr double kHairpin =
-    1e-9;  // |sum of two unit normals| below which a line turns back on itself
+// A line turns back on itself where the sum of two unit normals is shorter than this.
+constexpr double kHairpin = 1e-9;
 
 /// A line with as many segments as it has.
 struct Line {

@@ -2,6 +2,7 @@
 #include "pipeline/bend_session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "document/apply.h"
@@ -22,7 +23,9 @@ constexpr int kMostIdleRounds = 60;
 // After this many rounds what the new reach lets move is about where it was.
 constexpr int kRoundsOfReach = 6;
 
-bool is_valid(BendReach const& reach) { return !reach.px || (*reach.px > 0); }
+bool is_valid(BendReach const& reach) {
+  return !reach.px || (*reach.px > 0 && std::isfinite(*reach.px));
+}
 
 Vec2 on_sheet(Vec2 p) {
   constexpr double most = DocumentLimits::kFarthestPx;

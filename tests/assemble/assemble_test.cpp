@@ -19,17 +19,6 @@ FlatModel assembled(Drawing const& drawing, AssembleOptions const& options = {})
   return model ? std::move(*model) : FlatModel{};
 }
 
-/// Closed, 2-manifold and oriented; returns what was found for more questions.
-MeshCheck sound_surface(FlatModel const& model) {
-  auto const found = check_mesh(surface_of(model));
-  EXPECT_EQ(found.boundary_edges, 0);
-  EXPECT_EQ(found.non_manifold_edges, 0);
-  EXPECT_EQ(found.non_manifold_vertices, 0);
-  EXPECT_EQ(found.misoriented_edges, 0);
-  EXPECT_EQ(found.bad_indices, 0);
-  return found;
-}
-
 int joint_count(FlatModel const& model, Joint::Kind kind) {
   return static_cast<int>(std::count_if(model.joints.begin(), model.joints.end(),
                                         [&](Joint const& joint) { return joint.kind == kind; }));

@@ -15,14 +15,6 @@ namespace {
 
 using namespace support;
 
-Bender made(BendShape const& shape, BendMode mode = BendMode::Body) {
-  BendOptions options;
-  options.mode = mode;
-  auto bender = Bender::make(shape, options);
-  EXPECT_TRUE(bender) << (bender ? "" : bender.error().message);
-  return std::move(*bender);
-}
-
 BendShape only_lines(std::vector<Polyline> lines) { return {{}, std::move(lines)}; }
 
 /// One of each kind.
@@ -47,12 +39,10 @@ std::vector<BendShape> sample_shapes() {
           only_lines({{{3, 3}}, {{40, 3}}})};
 }
 
-std::vector<BendMode> const kModes = {BendMode::Body, BendMode::Wire};
-
 TEST(Bender, GivesTheRestShapeInTheRestPoseToTheLastBit) {
-  for (auto const mode : kModes) {
+  for (auto const mode : kBendModes) {
     for (auto const& shape : sample_shapes()) {
-      auto const bender = made(shape, mode);
+      auto const bender = made_bender(shape, mode);
       auto const bent = bender.bent(bender.rest_pose());
       EXPECT_EQ(bent.outlines, shape.outlines);
       EXPECT_EQ(bent.lines, shape.lines);
@@ -62,7 +52,7 @@ TEST(Bender, GivesTheRestShapeInTheRestPoseToTheLastBit) {
 
 TEST(Bender, KeepsWhatHasNotMovedToTheLastBit) {
   auto const shape = BendShape{{bar_outline(800, 40)}, {{{10, 10}, {300, 30}, {20, 55}}}};
-  auto const bender = made(shape);
+  auto const bender = made_bender(shape);
   auto const pose = posed(bender.rest_pose(), [](Vec2 p) {
     return p.x > 500 ? Vec2{p.x, p.y + (p.x - 500) * (p.x - 500) / 400} : p;
   });
@@ -78,9 +68,9 @@ TEST(Bender, MovesRigidlyInRigidPoses) {
   auto const turn = sin_cos(1.3);
   Affine const map = {turn.cos, turn.sin, -turn.sin, turn.cos, 310, -47};
   auto const move = [&](Vec2 p) { return map(p); };
-  for (auto const mode : kModes) {
+  for (auto const mode : kBendModes) {
     for (auto const& shape : sample_shapes()) {
-      auto const bender = made(shape, mode);
+      auto const bender = made_bender(shape, mode);
       auto const bent = bender.bent(posed(bender.rest_pose(), move));
       EXPECT_LT(largest_difference(bent, mapped(shape, move)), 1e-6);
     }
@@ -91,7 +81,7 @@ TEST(Bender, IsExactInAffinePoses) {
   Affine const map = {1.4, 0.2, -0.5, 0.8, 31, 12};
   auto const move = [&](Vec2 p) { return map(p); };
   for (auto const& shape : sample_shapes()) {
-    auto const bender = made(shape);
+    auto const bender = made_bender(shape);
     auto const bent = bender.bent(posed(bender.rest_pose(), move));
     EXPECT_LT(largest_difference(bent, mapped(shape, move)), 1e-6);
     for (std::size_t i = 0; i < shape.outlines.size(); ++i)
@@ -99,123 +89,11 @@ TEST(Bender, IsExactInAffinePoses) {
   }
 }
 
-/// A strong bend of a shape in 0 .. size, the same for all of it.
-std::function<Vec2(Vec2)> strong_bend(BendShape const& shape) {
-  Rect box;
-  for (auto const& outline : shape.outlines) {
-    for (auto const& piece : outline.pieces) box.include(piece.curve.start());
-  }
-  return arc_map(box.width(), box.max.y * 1.5, 1.2);
-}
-
-TEST(Bender, JoinsPiecesExactlyAndKeepsKindsAndPoints) {
-  auto const shape = face_shape(200);
-  for (auto const mode : kModes) {
-    auto const bender = made(shape, mode);
-    auto const bent = bender.bent(posed(bender.rest_pose(), strong_bend(shape)));
-    for (std::size_t o = 0; o < shape.outlines.size(); ++o) {
-      auto const& pieces = bent.outlines.at(o).pieces;
-      EXPECT_GE(pieces.size(), 4U);
-      std::vector<RunKind> kinds;
-      for (std::size_t i = 0; i < pieces.size(); ++i) {
-        EXPECT_EQ(pieces[i].curve.end(), pieces[(i + 1) % pieces.size()].curve.start());
-        if (kinds.empty() || kinds.back() != pieces[i].kind) kinds.push_back(pieces[i].kind);
-      }
-      std::vector<RunKind> const wanted = {RunKind::Ink, RunKind::Closing, RunKind::HelpLine,
-                                           RunKind::Ink};
-      EXPECT_EQ(kinds, o == 0 ? wanted : std::vector<RunKind>{RunKind::Ink});
-    }
-    ASSERT_EQ(bent.lines.size(), shape.lines.size());
-    for (std::size_t i = 0; i < shape.lines.size(); ++i)
-      EXPECT_EQ(bent.lines[i].size(), shape.lines[i].size());
-  }
-}
-
-Vec2 point_of(Outline const& outline, double parameter) {
-  int const last = static_cast<int>(std::ssize(outline.pieces)) - 1;
-  int const piece = std::min(last, static_cast<int>(parameter));
-  return point_at(outline.pieces[piece].curve, parameter - piece);
-}
-
-TEST(Bender, LeavesSourcesAtTheirPlacesOfTheOutline) {
-  auto const shape = face_shape(200);
-  auto const bend = strong_bend(shape);
-  auto const bender = made(shape);
-  auto const bent = bender.bent(posed(bender.rest_pose(), bend));
-  auto const& before = shape.outlines[0].sources;
-  auto const& after = bent.outlines[0].sources;
-  ASSERT_EQ(after.size(), before.size());
-  EXPECT_GT(bent.outlines[0].pieces.size(), 4U);
-  EXPECT_EQ(after[0].from, 0);
-  EXPECT_EQ(after[0].to, after[1].from);
-  EXPECT_EQ(after[2].to, static_cast<double>(bent.outlines[0].pieces.size()));
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    EXPECT_EQ(after[i].stroke, before[i].stroke);
-    EXPECT_EQ(after[i].sample_from, before[i].sample_from);
-    EXPECT_EQ(after[i].sample_to, before[i].sample_to);
-    EXPECT_LT(distance(point_of(bent.outlines[0], after[i].from),
-                       bend(point_of(shape.outlines[0], before[i].from))),
-              0.1);
-    EXPECT_LT(distance(point_of(bent.outlines[0], after[i].to),
-                       bend(point_of(shape.outlines[0], before[i].to))),
-              0.1);
-  }
-}
-
-/// The largest turn between one piece and the next, rad; corners of the rest shape excepted by where they are.
-double sharpest_joint(Outline const& outline) {
-  double sharpest = 0;
-  for (std::size_t i = 0; i < outline.pieces.size(); ++i) {
-    auto const& in = outline.pieces[i].curve.control;
-    auto const& out = outline.pieces[(i + 1) % outline.pieces.size()].curve.control;
-    Vec2 const a = normalized(in[3] - in[2]);
-    Vec2 const b = normalized(out[1] - out[0]);
-    sharpest = std::max(sharpest, std::abs(atan2_of(cross(a, b), dot(a, b))));
-  }
-  return sharpest;
-}
-
-TEST(Bender, KeepsSmoothJointsSmooth) {
-  auto const shape = face_shape(200);
-  for (auto const mode : kModes) {
-    auto const bender = made(shape, mode);
-    auto const bent = bender.bent(posed(bender.rest_pose(), strong_bend(shape)));
-    for (auto const& outline : bent.outlines) EXPECT_LT(sharpest_joint(outline), 1e-9);
-  }
-}
-
-/// How far the outline of a bar that was bent by arc_map leaves its arcs; its ends excepted.
-double off_the_arcs(Outline const& outline, Vec2 centre, double inner, double outer, double angle) {
-  double worst = 0;
-  for (auto const& piece : outline.pieces) {
-    for (int k = 0; k <= 16; ++k) {
-      Vec2 const p = point_at(piece.curve, k / 16.0) - centre;
-      double const at = atan2_of(p.x, -p.y);
-      if (at < 0.02 || at > angle - 0.02) continue;
-      worst = std::max(worst, std::min(std::abs(norm(p) - inner), std::abs(norm(p) - outer)));
-    }
-  }
-  return worst;
-}
-
-TEST(Bender, BendsALongCubicIntoAnArc) {
-  for (auto const mode : kModes) {
-    auto const bender = made({{bar_outline(400, 40)}, {}}, mode);
-    for (double const angle : {0.3, 1.0, 2.0, 3.0}) {
-      double const radius = 400 / angle;
-      auto const bent = bender.bent(posed(bender.rest_pose(), arc_map(400, 20, angle)));
-      EXPECT_LT(off_the_arcs(bent.outlines[0], {0, 20 + radius}, radius - 20, radius + 20, angle),
-                0.03);
-      EXPECT_LT(bent.outlines[0].pieces.size(), 50U) << "outlines stay light";
-    }
-  }
-}
-
 TEST(Bender, SaysWhatIsNearestInThePose) {
   auto const shape = face_shape(200);
   auto const bend = strong_bend(shape);
-  for (auto const mode : kModes) {
-    auto const bender = made(shape, mode);
+  for (auto const mode : kBendModes) {
+    auto const bender = made_bender(shape, mode);
     auto const pose = posed(bender.rest_pose(), bend);
     for (auto const& line : bender.mesh().lines) {
       for (int const v : line.vertices) {
@@ -229,7 +107,7 @@ TEST(Bender, SaysWhatIsNearestInThePose) {
 }
 
 TEST(Bender, FindsWhatLiesUnderAPlaceInAnyPose) {
-  auto const bender = made({{bar_outline(400, 40)}, {}});
+  auto const bender = made_bender({{bar_outline(400, 40)}, {}});
   auto pose = bender.rest_pose();
   for (auto& p : pose) p += Vec2{30, -50};
   auto const under = bender.under(pose, {230, -45});
@@ -239,7 +117,7 @@ TEST(Bender, FindsWhatLiesUnderAPlaceInAnyPose) {
 }
 
 TEST(Bender, KnowsWhatIsBeyondReach) {
-  auto const bender = made({{bar_outline(400, 40)}, {}});
+  auto const bender = made_bender({{bar_outline(400, 40)}, {}});
   auto const& rest = bender.rest_pose();
   auto const from = bender.nearest(rest, {100, 0});
   auto const beyond = bender.within_reach(from, 80).is_fixed;
@@ -249,7 +127,7 @@ TEST(Bender, KnowsWhatIsBeyondReach) {
 }
 
 TEST(Bender, BendsRounderWhereItIsStifferTowardsTheEndOfAReach) {
-  auto bender = made({{bar_outline(400, 40)}, {}});
+  auto bender = made_bender({{bar_outline(400, 40)}, {}});
   auto const& rest = bender.rest_pose();
   auto const tip = bender.nearest(rest, {400, 0});
   auto const area = bender.within_reach(tip, 200);
@@ -306,9 +184,9 @@ BendShape dragged(Bender& bender, double way_px, int frames) {
 }
 
 TEST(Bender, DragsEveryKindOfShape) {
-  for (auto const mode : kModes) {
+  for (auto const mode : kBendModes) {
     for (auto const& shape : sample_shapes()) {
-      auto bender = made(shape, mode);
+      auto bender = made_bender(shape, mode);
       Rect const box = bounds(bender.rest_pose());
       auto const bent = dragged(bender, 0.3 * box.longer_side(), 4);
       for (auto const& outline : bent.outlines) {
@@ -330,8 +208,8 @@ TEST(Bender, BendsAMirroredShapeToTheMirroredResult) {
   std::reverse(mirrored.outlines[0].pieces.begin(), mirrored.outlines[0].pieces.end());
   for (auto& piece : mirrored.outlines[0].pieces)
     std::reverse(piece.curve.control.begin(), piece.curve.control.end());
-  auto up = made(shape);
-  auto down = made(mirrored);
+  auto up = made_bender(shape);
+  auto down = made_bender(mirrored);
   auto const bent_up = flatten(dragged(up, 120, 10).outlines[0], 0.01);
   auto const bent_down = flatten(dragged(down, -120, 10).outlines[0], 0.01);
   // The meshes inside are not each other's mirror images.

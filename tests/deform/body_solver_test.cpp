@@ -171,6 +171,18 @@ TEST(BodySolver, SettledMeansNothingMovesAnyMoreThatOneCouldSee) {
   EXPECT_LT(largest_distance(pose, settled), 0.01);
 }
 
+TEST(BodySolver, StepsThatAreTooShortAreMadeLonger) {
+  auto const mesh = figure_mesh(150);
+  BodySolver solver(mesh);
+  auto pose = mesh.rest.points;
+  // One foot is led across the other: the figure swings around that one, and a step that is not doubled goes a tiny bit of the way.
+  std::vector<BendHandle> handles = {handle(mesh, anchor_near(mesh, {680, 900})),
+                                     handle(mesh, anchor_near(mesh, {320, 900}), {400, 0})};
+  for (auto& each : handles) each.grip_px = 30;
+  int steps = 0;
+  while (!solver.step(pose, {handles, {}}, 1).is_settled) ASSERT_LT(++steps, 200);
+}
+
 TEST(BodySolver, AHandleInsideATriangleHitsItsTargetWithinHalfAPixel) {
   auto const mesh = figure_mesh(200);
   BodySolver solver(mesh);

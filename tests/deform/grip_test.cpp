@@ -44,6 +44,20 @@ TEST(Grips, AreStiffAtTheHandleAndNothingBeyondTheirRadius) {
   EXPECT_LT(farthest, 30 + 10);  // a triangle whose middle lies within
 }
 
+TEST(Grips, FallToNothingWithoutAStep) {
+  auto const mesh = bar();
+  Grips grips(mesh);
+  auto const handle = at_vertex(mesh, {100, -20}, 50);
+  ASSERT_TRUE(grips.update({&handle, 1}));
+  for (std::size_t t = 0; t < mesh.rest.triangles.size(); ++t) {
+    auto const& [a, b, c] = mesh.rest.triangles[t];
+    auto const& p = mesh.rest.points;
+    double const share = distance((p[a] + p[b] + p[c]) / 3, {100, -20}) / 50;
+    double const left = std::max(0.0, 1 - share * share);
+    EXPECT_NEAR(grips.factors()[t], 1 + (Grips::kStiffest - 1) * left * left, 1e-9) << share;
+  }
+}
+
 TEST(Grips, OfHandlesThatAreGoneLeaveNothing) {
   auto const mesh = bar();
   Grips grips(mesh);

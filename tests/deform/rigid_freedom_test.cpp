@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/bend_meshes.h"
+#include "support/extremes.h"
 
 namespace inkflate {
 namespace {
@@ -22,7 +23,7 @@ std::vector<Vec2> rigid_moves(BendPose const& pose) {
 
 double largest_norm(std::span<Vec2 const> moves) {
   double largest = 0;
-  for (Vec2 const m : moves) largest = std::max(largest, norm(m));
+  for (Vec2 const m : moves) largest = support::larger(largest, norm(m));
   return largest;
 }
 

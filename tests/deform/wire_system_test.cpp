@@ -8,6 +8,7 @@
 
 #include "deform/wire_solver.h"
 #include "deform/wire_strip.h"
+#include "support/extremes.h"
 #include "support/wire_strips.h"
 
 namespace inkflate {
@@ -123,7 +124,7 @@ TEST(WireSystem, WhatIsFixedStaysToTheBit) {
     if (is_fixed[v] != 0) {
       EXPECT_EQ(pose[v], mesh.rest.points[v]);
     }
-    moved_px = std::max(moved_px, distance(pose[v], mesh.rest.points[v]));
+    moved_px = support::larger(moved_px, distance(pose[v], mesh.rest.points[v]));
   }
   EXPECT_GT(moved_px, 40);
   EXPECT_LT(distance(at(handles[0].anchor, mesh, pose), handles[0].target), 1e-8);

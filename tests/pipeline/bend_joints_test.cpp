@@ -91,13 +91,49 @@ TEST(BendJoints, LockedPartsStayAndHiddenOnesFollow) {
   EXPECT_FALSE(hand.session.is_holding());
 }
 
-TEST(BendJoints, HostsGoBeforeTheirLimbs) {
-  // The hand hangs on the arm, the arm and the leg on the body.
+TEST(BendJoints, ALimbThatHangsGoesAlongWithItsHostInTheSameFrame) {
   auto const document = jointed_document();
+  BendHand hand(document);
+  ASSERT_FALSE(hand.session.grab(document, {kArm, {}, {}, kTipOfArm}, {}, {}));
+  // One jump of the mouse; the arm itself needs several frames for it.
+  hand.session.drag(kTipOfArm + Vec2{-100, 250});
+  hand.apply_all(hand.session.commands());
+  EXPECT_GT(distance(middle_of_mouth(document, kHand), middle_of_mouth(hand.document, kHand)), 50);
+  // The stroke of the hand begins in its mouth, that of the arm ends there.
+  auto const gap_px = [](Document const& drawn) {
+    auto const& arm = find_layer(drawn, kArm)->strokes[0]->stroke.samples;
+    return distance(arm.back().position, middle_of_mouth(drawn, kHand));
+  };
+  EXPECT_NEAR(gap_px(hand.document), gap_px(document), 3);
+}
+
+/// The parts of a document, as they lie.
+BendParts parts_of(Document const& document) {
   BendParts parts;
   for (auto const& layer : *document.layers) {
     parts[layer->layer.id] = std::make_shared<BendPart>(BendSource{layer, {}});
   }
+  return parts;
+}
+
+TEST(BendJoints, AreFoundAnewWhereAPartIsNewAndStayElsewhere) {
+  auto const document = jointed_document();
+  auto parts = parts_of(document);
+  for (auto& [layer, part] : parts) ASSERT_FALSE(part->make_ready({}));
+  BendJoints joints;
+  joints.meet(document, parts);
+  joints.anchor(parts);
+  ASSERT_EQ(joints.all().size(), 3U);
+  parts[kHand] = std::make_shared<BendPart>(parts[kHand]->now().source);
+  joints.meet(document, parts);
+  ASSERT_EQ(joints.all().size(), 3U);
+  for (auto const& joint : joints.all()) EXPECT_EQ(joint.anchors.empty(), joint.limb == kHand);
+}
+
+TEST(BendJoints, HostsGoBeforeTheirLimbs) {
+  // The hand hangs on the arm, the arm and the leg on the body.
+  auto const document = jointed_document();
+  auto const parts = parts_of(document);
   BendJoints joints;
   joints.meet(document, parts);
   EXPECT_EQ(joints.all().size(), 3);

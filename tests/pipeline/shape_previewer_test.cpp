@@ -6,22 +6,11 @@
 #include <cmath>
 
 #include "document/apply.h"
+#include "support/closed_documents.h"
 #include "support/sketches.h"
 
 namespace inkflate {
 namespace {
-
-Document drawn(Document document, std::vector<Stroke> const& strokes,
-               LayerId layer = LayerId::None) {
-  for (auto const& stroke : strokes) {
-    auto const next = apply(document, AddStroke{stroke, layer});
-    EXPECT_TRUE(next.has_value());
-    if (next) document = *next;
-  }
-  return document;
-}
-
-Document drawn(std::vector<Stroke> const& strokes) { return drawn(empty_document(), strokes); }
 
 Stroke far(Stroke stroke) {
   stroke.depth = StrokeDepth::Far;

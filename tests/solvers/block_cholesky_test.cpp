@@ -7,6 +7,7 @@
 
 #include "base/hash.h"
 #include "base/rng.h"
+#include "support/extremes.h"
 
 namespace inkflate {
 namespace {
@@ -58,7 +59,7 @@ double largest_error(Dense& matrix, std::vector<double> const& x, std::vector<do
   for (int i = 0; i < matrix.size; ++i) {
     double sum = -b[i];
     for (int j = 0; j < matrix.size; ++j) sum += matrix.at(i, j) * x[j];
-    largest = std::max(largest, std::abs(sum));
+    largest = support::larger(largest, std::abs(sum));
   }
   return largest;
 }

@@ -11,6 +11,7 @@
 #include "document/apply.h"
 #include "support/characters.h"
 #include "support/editor_documents.h"
+#include "support/extremes.h"
 #include "support/sketches.h"
 
 namespace inkflate {
@@ -85,7 +86,7 @@ double outline_distance(Document const& a, Document const& b, LayerId layer) {
   double most = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
-      most = std::max(most, distance(first[i].curve.control[k], second[i].curve.control[k]));
+      most = support::larger(most, distance(first[i].curve.control[k], second[i].curve.control[k]));
     }
   }
   return most;
@@ -101,7 +102,7 @@ double contour_distance(Layer const& a, Layer const& b) {
     for (std::size_t i = 1; i < second.size(); ++i) {
       least = std::min(least, squared_distance_to_segment(p, second[i - 1], second[i]));
     }
-    most = std::max(most, least);
+    most = support::larger(most, least);
   }
   return std::sqrt(most);
 }

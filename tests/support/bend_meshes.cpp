@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "mesh/mesh_region.h"
+#include "support/extremes.h"
 
 namespace inkflate::support {
 namespace {
@@ -115,7 +116,7 @@ BendAnchor anchor_near(BendMesh const& mesh, Vec2 place) {
 double largest_distance(BendPose const& a, BendPose const& b) {
   CHECK(a.size() == b.size(), "poses of one mesh");
   double largest = 0;
-  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, distance(a[v], b[v]));
+  for (std::size_t v = 0; v < a.size(); ++v) largest = larger(largest, distance(a[v], b[v]));
   return largest;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/trig.h"
+#include "support/extremes.h"
 
 namespace inkflate::support {
 
@@ -80,6 +81,20 @@ std::function<Vec2(Vec2)> arc_map(double length, double middle, double angle_rad
   };
 }
 
+std::function<Vec2(Vec2)> strong_bend(BendShape const& shape) {
+  Rect box;
+  for (auto const& outline : shape.outlines) {
+    for (auto const& piece : outline.pieces) box.include(piece.curve.start());
+  }
+  return arc_map(box.width(), box.max.y * 1.5, 1.2);
+}
+
+Bender made_bender(BendShape const& shape, BendMode mode) {
+  BendOptions options;
+  options.mode = mode;
+  return Bender::make(shape, options).value();
+}
+
 BendPose posed(BendPose const& rest, std::function<Vec2(Vec2)> const& map) {
   BendPose pose;
   for (auto const p : rest) pose.push_back(map(p));
@@ -89,7 +104,7 @@ BendPose posed(BendPose const& rest, std::function<Vec2(Vec2)> const& map) {
 double least_area(FlatMesh const& mesh, std::vector<Vec2> const& points) {
   double least = std::numeric_limits<double>::infinity();
   for (auto const& t : mesh.triangles) {
-    least = std::min(least, cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
+    least = smaller(least, cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
   }
   return least;
 }
@@ -105,13 +120,13 @@ double largest_difference(BendShape const& is, BendShape const& wanted) {
     if (a.size() != b.size()) return infinite;
     for (std::size_t k = 0; k < a.size(); ++k) {
       for (std::size_t c = 0; c < 4; ++c)
-        largest = std::max(largest, distance(a[k].curve.control[c], b[k].curve.control[c]));
+        largest = larger(largest, distance(a[k].curve.control[c], b[k].curve.control[c]));
     }
   }
   for (std::size_t i = 0; i < is.lines.size(); ++i) {
     if (is.lines[i].size() != wanted.lines[i].size()) return infinite;
     for (std::size_t k = 0; k < is.lines[i].size(); ++k)
-      largest = std::max(largest, distance(is.lines[i][k], wanted.lines[i][k]));
+      largest = larger(largest, distance(is.lines[i][k], wanted.lines[i][k]));
   }
   return largest;
 }

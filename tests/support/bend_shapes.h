@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
+#include "deform/bend_options.h"
 #include "deform/bender.h"
 
 namespace inkflate::support {
@@ -23,6 +25,13 @@ Outline crossing_outline(double size);
 
 /// The line y = middle becomes an arc of this angle that is as long; what is beside it keeps its distance.
 std::function<Vec2(Vec2)> arc_map(double length, double middle, double angle_rad);
+
+/// A strong bend of a shape in 0 .. size, the same for all of it.
+std::function<Vec2(Vec2)> strong_bend(BendShape const& shape);
+
+inline constexpr std::array kBendModes = {BendMode::Body, BendMode::Wire};
+/// in      shape: something to bend
+Bender made_bender(BendShape const& shape, BendMode mode = BendMode::Body);
 
 BendPose posed(BendPose const& rest, std::function<Vec2(Vec2)> const& map);
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <set>
-#include <utility>
-#include <vector>
+#include <gtest/gtest.h>
 
 #include "mesh/check_mesh.h"
 #include "model/flat_model.h"
@@ -23,6 +21,17 @@ inline TriMesh surface_of(FlatModel const& model) {
   }
   for (auto const& cap : model.caps) mesh.triangles.push_back(cap.corners);
   return mesh;
+}
+
+/// Closed, 2-manifold and oriented; returns what was found for more questions.
+inline MeshCheck sound_surface(FlatModel const& model) {
+  auto const found = check_mesh(surface_of(model));
+  EXPECT_EQ(found.boundary_edges, 0);
+  EXPECT_EQ(found.non_manifold_edges, 0);
+  EXPECT_EQ(found.non_manifold_vertices, 0);
+  EXPECT_EQ(found.misoriented_edges, 0);
+  EXPECT_EQ(found.bad_indices, 0);
+  return found;
 }
 
 }  // namespace inkflate
