@@ -7,8 +7,8 @@
 namespace inkflate {
 namespace {
 
-// Strips are 2.5 % of the shape wide.
-constexpr double kHalfWidthShare = 0.0125;
+// Strips are 6 % of the shape wide: half of that, and a line turns twice as sharply where a hand bends it.
+constexpr double kHalfWidthShare = 0.03;
 constexpr double kMostSpineEdges = 199;
 // Where a spine turns by more than 60 degrees its sides get points of their own for both edges.
 constexpr double kSharpCosine = 0.5;

@@ -152,6 +152,24 @@ TEST(Bender, BendsRounderWhereItIsStifferTowardsTheEndOfAReach) {
   EXPECT_LT(sharpest({{&handle, 1}, area.is_fixed, area.stiffening}), 0.8 * kinked);
 }
 
+TEST(Bender, BendsALooseLineInARound) {
+  Polyline line;
+  for (int i = 0; i <= 120; ++i) line.push_back({i * 5.0, 0});
+  auto bender = made(only_lines({line}));
+  auto pose = bender.rest_pose();
+  auto const tip = bender.nearest(pose, {0, 0});
+  auto const area = bender.within_reach(tip, 150);
+  BendHandle const handle = {tip, {120, 200}, {}, 30};
+  bender.step(pose, {{&handle, 1}, area.is_fixed, area.stiffening}, 60);
+  auto const bent = bender.bent(pose).lines.front();
+  for (std::size_t i = 4; i < bent.size(); ++i) {
+    Vec2 const before = normalized(bent[i - 3] - bent[i - 4]);
+    Vec2 const after = normalized(bent[i] - bent[i - 1]);
+    // 25 degrees in 15 px: no radius is less than 34 px.
+    EXPECT_GT(dot(before, after), sin_cos(25 * kPi / 180).cos) << i;
+  }
+}
+
 TEST(Bender, RefusesWhatItCannotBend) {
   EXPECT_EQ(Bender::make({}).error().code, ErrorCode::NothingThere);
   EXPECT_EQ(Bender::make({{Outline{}}, {{}}}).error().code, ErrorCode::NothingThere);
