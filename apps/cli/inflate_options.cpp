@@ -42,18 +42,18 @@ Result<std::optional<SolidifyOptions>> print_options(InflateWords const& words) 
 
 void add_inflate_options(CLI::App& verb, InflateWords& words) {
   verb.add_option("--thickness", words.thickness,
-                  "Of all layers: 2 makes limbs round, 4 makes a disc a ball")
+                  "Of all parts: 2 makes limbs round, 4 makes a disc a ball")
       ->type_name("0.1..32");
   verb.add_option("--density", words.density, "Triangles per area, times the default")
       ->type_name("0.1..10");
   verb.add_option("--duplicate", words.duplicates,
-                  "Put a copy of this layer behind all others (may be repeated)")
-      ->type_name("LAYER")
+                  "Put a copy of this part behind all others (may be repeated)")
+      ->type_name("PART")
       ->allow_extra_args(false);
   add_choice<OpenRuns>(
       verb, "--open", words.open,
       {{"joined", OpenRuns::Joined}, {"capped", OpenRuns::Capped}, {"holes", OpenRuns::Holes}},
-      "Open ends join other layers, end flat, or stay open where nothing is");
+      "Open ends join other parts, end flat, or stay open where nothing is");
   add_choice<Wear>(
       verb, "--wear", words.wear,
       {{"drawing", Wear::Drawing}, {"template", Wear::Template}, {"nothing", Wear::Nothing}},

@@ -90,7 +90,7 @@ std::optional<Error> prepare(Project& project, InflateChoices const& choices) {
     auto const found = std::find_if(layers.begin(), layers.end(),
                                     [&](Layer const& layer) { return layer.name == name; });
     if (found == layers.end()) {
-      return Error{ErrorCode::BadOption, "--duplicate: there is no layer \"" + name + "\""};
+      return Error{ErrorCode::BadOption, "--duplicate: there is no part \"" + name + "\""};
     }
     duplicate_behind(project.drawing, static_cast<int>(found - layers.begin()));
   }

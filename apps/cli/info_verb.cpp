@@ -106,7 +106,7 @@ Result<Json> report_on(std::string const& input, bool is_quiet) {
   return report;
 }
 
-/// "3 layers", "1 layer"
+/// "3 strokes", "1 stroke"
 std::string counted(Json const& count, std::string const& noun) {
   return count.dump() + " " + noun + (count == 1 ? "" : "s");
 }
@@ -155,7 +155,7 @@ std::string as_lines(std::string const& input, Json const& report) {
             look_text(group) + "\n";
   }
   for (auto const& layer : report["layers"]) {
-    text += "  layer " + quoted(layer["name"]) + ": " + counted(layer["strokes"], "stroke") + ", " +
+    text += "  part " + quoted(layer["name"]) + ": " + counted(layer["strokes"], "stroke") + ", " +
             counted(layer["details"], "detail") + ", " + counted(layer["holes"], "hole") + ", " +
             counted(layer["open"], "open run") + ", " + counted(layer["closings"], "closing") +
             look_text(layer) + state_text(layer) + "\n";

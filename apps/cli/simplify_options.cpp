@@ -29,7 +29,7 @@ void add_simplify_options(CLI::App& verb, SimplifyWords& words) {
                     "Whether enclosed white stays open");
   add_choice<Parts>(verb, "--parts", words.parts,
                     {{"all", Parts::All}, {"groups", Parts::Groups}, {"one", Parts::One}},
-                    "Every piece, one layer for each group, or the largest piece");
+                    "Every piece, one part for each group, or the largest piece");
   verb.add_option("--smooth", words.smooth, "How far contours may leave the pen's jitter")
       ->type_name("0..1");
   verb.add_option("--size", words.size, "Longer side of the output canvas, px")->type_name("N");

@@ -87,7 +87,7 @@ Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, in
   auto const& layers = read->project.drawing.layers;
   if (!call.shared.is_quiet && std::any_of(layers.begin(), layers.end(),
                                            [](Layer const& layer) { return layer.is_hidden; })) {
-    print_warning(call.shared.inputs[index], "left out what lies in hidden layers");
+    print_warning(call.shared.inputs[index], "left out what lies in hidden parts");
   }
   Project project = {std::move(*drawing)};
   // Strokes that were moved alone would no longer lie where they were traced.

@@ -17,12 +17,22 @@ constexpr double kTurnStepRad = kPi / 12;
 
 Document const& document_of(EditorState const& state) { return state.history.document(); }
 
-/// The part whose pins are meant: the one that is selected, or that of the selected pin. Null: there is none.
+/// The part that can only be meant. Null: there are several, or none.
+DocumentLayer const* only_layer(Document const& document) {
+  auto const& layers = *document.layers;
+  auto const can_be = [](auto const& layer) { return is_pickable(*layer); };
+  auto const first = std::find_if(layers.begin(), layers.end(), can_be);
+  if (first == layers.end() || std::any_of(first + 1, layers.end(), can_be)) return nullptr;
+  return first->get();
+}
+
+/// The part whose pins are meant: the one that is selected, that of the selected pin, or the only one. Null: there is none.
 DocumentLayer const* pinned_layer(EditorState const& state) {
   auto const& view = state.view;
   auto const layers = pickable(document_of(state), view.selection);
   if (layers.size() == 1) return find_layer(document_of(state), layers[0]);
-  return view.pin ? find_layer(document_of(state), view.pin->layer) : nullptr;
+  if (view.pin) return find_layer(document_of(state), view.pin->layer);
+  return only_layer(document_of(state));
 }
 
 /// Pins are seen and held with the Deform tool alone.

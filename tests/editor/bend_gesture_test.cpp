@@ -220,6 +220,23 @@ TEST(BendGesture, TheWheelAndTheBracketsChangeTheReachOfADrag) {
   EXPECT_EQ(artist.state().view.settings.brush_px, ToolSettings{}.brush_px);
 }
 
+TEST(BendGesture, WithOnePartNobodyHasToSayWhichOneIsPinned) {
+  auto artist = bender();
+  EXPECT_TRUE(artist.state().view.selection.empty());
+  artist.act("add_pin");
+  EXPECT_EQ(artist.only_layer().bend_pins.size(), 1U);
+  EXPECT_TRUE(artist.state().view.pin);
+  artist.act("undo");
+  artist.key("b");
+  artist.draw_circle({200, 200}, 80);
+  artist.key("Enter");
+  artist.key("d");
+  artist.act("select", "");
+  int const before = entries(artist);
+  artist.act("add_pin");
+  EXPECT_EQ(entries(artist), before);
+}
+
 TEST(BendGesture, SettingsTakeWhatTheyMayBeAndNothingElse) {
   auto artist = bender();
   artist.act("bend_reach", "whole");

@@ -5,7 +5,7 @@ import { version } from "../../package.json";
 import type { Menu } from "../protocol/state";
 import type { Word } from "../studio/words";
 import "../styles/help-panel.css";
-import { BendIcon, type Icon } from "./icons";
+import { AddPinIcon, BendIcon, type Icon } from "./icons";
 import { KeyCap } from "./key-cap";
 import { keyGroups } from "./key-groups";
 import { Panel } from "./panel";
@@ -19,6 +19,7 @@ const tips: readonly (readonly [Icon, Word])[] = [
   [Copy, "tip_double_click"],
   [Spline, "tip_help_line"],
   [BendIcon, "tip_bend"],
+  [AddPinIcon, "tip_pin"],
   [MousePointerClick, "tip_right_button"],
 ];
 
