@@ -92,6 +92,30 @@ TEST(BendRests, ALimbThatWasBentStaysBentWhenItsHostMoves) {
   EXPECT_LT(contour_distance(layer_of_hand(hand.document, kArm), moved), 0.1);
 }
 
+TEST(BendRests, ALimbThatWasBentStaysBentWhenItsHostBends) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  auto const straight = layer_of_hand(hand.document, kArm);
+  hand.drag({kArm, {}, {}, kTipOfArm}, kTipOfArm + Vec2{-40, -120});
+  auto const bent = layer_of_hand(hand.document, kArm);
+  EXPECT_GT(contour_distance(bent, straight), 50);
+  hand.drag(body_at(kTopOfBody), kTopOfBody + Vec2{12, 0});
+  EXPECT_LT(contour_distance(layer_of_hand(hand.document, kArm), bent), 20);
+}
+
+TEST(BendRests, ADocumentThatDidNotComeOfTheDragIsWhatItWas) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  auto const before = hand.document;
+  ASSERT_FALSE(hand.session.grab(before, body_at(kTopOfBody), {}, {}));
+  hand.session.drag({600, 300});
+  hand.session.finish();
+  hand.session.release(&before);
+  EXPECT_TRUE(hand.drag(body_at(kTopOfBody), kTopOfBody).empty());
+  hand.drag(body_at(kTopOfBody), kTopOfBody + Vec2{1, 0});
+  EXPECT_LT(contour_distance(layer_of_hand(hand.document, kBody), layer_of_hand(before, kBody)), 2);
+}
+
 TEST(BendRests, OnceForgottenTheBentShapeIsTheRest) {
   BendHand hand(jointed_document());
   hand.set_pins(kBody, {{kBottomOfBody}, {{240, 450}}});

@@ -53,9 +53,9 @@ TEST(BendRig, AJumpOfTheHandEndsWhereAWayInSmallStepsDoes) {
   BendHand slow(jointed_document());
   slow.set_pins(kBody, {{kBottomOfBody}, {{240, 450}}});
   BendHand fast(slow.document);
-  slow.drag(body_at(kTopOfBody), {640, 480});
+  slow.drag(body_at(kTopOfBody), {520, 260});
   ASSERT_FALSE(fast.session.grab(fast.document, body_at(kTopOfBody), {}, {}));
-  fast.session.drag({640, 480});
+  fast.session.drag({520, 260});
   fast.session.finish();
   fast.apply_all(fast.session.commands());
   EXPECT_LT(
