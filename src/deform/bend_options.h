@@ -14,9 +14,8 @@ struct BendOptions {
   double body = 1;
   /// Of mode Wire, >= 0; 0: as wide as the spacing of the line's vertices.
   double strip_half_width_px = 0;
-
-  double least_edge_px =
-      0;  // >= 0; of mode Body: no finer than this has a shape to be bent that is small in its drawing
+  /// Of mode Body, >= 0: a shape that is small in its drawing need not be bent more finely than this.
+  double least_edge_px = 0;
 
   static constexpr double kLeastBody = 0.003;  // docs/algorithms/deform.md
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deform/motion_field.h"
 
-#include <algorithm>
-
 namespace inkflate {
 namespace {
 

@@ -2,6 +2,7 @@
 #include "deform/soft_handles.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "deform/grip.h"
 #include "geometry/complex.h"

@@ -123,7 +123,7 @@ TEST(OutlineRide, KeepsABendThatNeitherTheWholePieceNorItsHalvesShow) {
   // Two humps: at both ends of each half the side lies and points as at rest.
   auto const bent = bender.bent(posed(bender.rest_pose(), [](Vec2 p) {
     double const sin = sin_cos(2 * kPi * p.x / 400).sin;
-    return Vec2{p.x, p.y + 10 * sin * sin};
+    return Vec2{p.x, p.y + 10 * sin * sin * sin * sin};
   }));
   double highest = 0;
   for (auto const& piece : bent.outlines[0].pieces) highest = larger(highest, piece.curve.end().y);

@@ -148,6 +148,29 @@ TEST(BendRests, ALimbThatWasBentStaysBentWhenItsHostMoves) {
   EXPECT_LT(contour_distance(layer_of_hand(hand.document, kArm), moved), 0.1);
 }
 
+TEST(BendRests, ALimbThatWasBentStaysBentWhenItsHostBends) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}});
+  auto const straight = layer_of_hand(hand.document, kArm);
+  hand.drag({kArm, {}, {}, kTipOfArm}, kTipOfArm + Vec2{-40, -120});
+  auto const bent = layer_of_hand(hand.document, kArm);
+  EXPECT_GT(contour_distance(bent, straight), 50);
+  hand.drag(body_at(kTopOfBody), kTopOfBody + Vec2{12, 0});
+  EXPECT_LT(contour_distance(layer_of_hand(hand.document, kArm), bent), 20);
+}
+
+TEST(BendRests, ADocumentThatDidNotComeOfTheDragIsWhatItWas) {
+  BendHand hand(jointed_document());
+  hand.set_pins(kBody, {{kBottomOfBody}, {kTopOfBody}});
+  auto const before = hand.document;
+  ASSERT_FALSE(hand.session.grab(before, {kBody, {}, 1, kTopOfBody}, {}, {}));
+  hand.session.drag({600, 300});
+  hand.session.finish();
+  hand.session.release(&before);
+  hand.drag_pin(kBody, 0, kBottomOfBody + Vec2{1, 0});
+  EXPECT_LT(contour_distance(layer_of_hand(hand.document, kBody), layer_of_hand(before, kBody)), 2);
+}
+
 TEST(BendRests, OnceForgottenTheBentShapeIsTheRest) {
   BendHand hand(jointed_document());
   hand.set_pins(kBody, {{kBottomOfBody}, {{240, 450}}});

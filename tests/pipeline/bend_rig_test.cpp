@@ -6,8 +6,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "document/apply.h"
 #include "geometry/segment.h"
+#include "pipeline/bend_document.h"
 #include "support/bend_hand.h"
+#include "support/characters.h"
+#include "support/editor_documents.h"
+#include "support/sketches.h"
 
 namespace inkflate {
 namespace {
@@ -53,9 +58,9 @@ TEST(BendRig, AJumpOfTheHandEndsWhereAWayInSmallStepsDoes) {
   BendHand slow(jointed_document());
   slow.set_pins(kBody, {{kBottomOfBody}, {{240, 450}}});
   BendHand fast(slow.document);
-  slow.drag(body_at(kTopOfBody), {560, 330});
+  slow.drag(body_at(kTopOfBody), {520, 260});
   ASSERT_FALSE(fast.session.grab(fast.document, body_at(kTopOfBody), {}, {}));
-  fast.session.drag({560, 330});
+  fast.session.drag({520, 260});
   fast.session.finish();
   fast.apply_all(fast.session.commands());
   EXPECT_LT(
@@ -79,6 +84,24 @@ TEST(BendRig, WhatNothingDrawsAtStaysHoweverUnsettledItWasLeft) {
   hand.apply_all(hand.session.commands());
   EXPECT_FALSE(is_shared(before, hand.document, kBody));
   EXPECT_TRUE(is_shared(before, hand.document, kLeg));
+}
+
+TEST(BendRig, WhatHangsOnTwoPartsThatGoApartIsStretchedBetweenThem) {
+  auto document = with_disc(empty_document(), {200, 500}, 100, "left");
+  document = with_disc(document, {600, 500}, 100, "right");
+  // A handle over both: it ends in their middles.
+  document = with_layer(document, half_ring_layer("handle", {400, 500}, 170, 230, true),
+                        {line_stroke({{200, 500}, {400, 300}, {600, 500}})});
+  auto const id_of = [&](int index) { return (*document.layers)[index]->layer.id; };
+  std::vector<BendMove> const moves = {{id_of(0), {100, 500}, {60, 520}},
+                                       {id_of(1), {700, 500}, {750, 490}}};
+  auto const bent = bend_document(document, moves);
+  ASSERT_TRUE(bent) << bent.error().message;
+  auto const after = inkflate::apply(document, bent->commands);
+  ASSERT_TRUE(after);
+  auto const& samples = find_layer(*after, id_of(2))->strokes[0]->stroke.samples;
+  EXPECT_LT(distance(samples.front().position, {160, 520}), 3);
+  EXPECT_LT(distance(samples.back().position, {650, 490}), 3);
 }
 
 }  // namespace

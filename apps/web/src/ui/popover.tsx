@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import { useRef, useState } from "preact/hooks";
 import type { Icon } from "./icons";
 import { IconButton } from "./icon-button";
-import { useOutside } from "./outside";
+import { useOutside } from "./use-dismissal";
 import "../styles/popover.css";
 
 interface PopoverProps {
