@@ -64,6 +64,20 @@ TEST(Bender, KeepsWhatHasNotMovedToTheLastBit) {
   EXPECT_GT(pieces.size(), 6U);
 }
 
+TEST(Bender, KeepsBentShapesOnAGridThatNobodySees) {
+  auto const move = [](Vec2 p) { return p + Vec2{p.y / 7, p.x / 9}; };
+  for (auto const mode : kBendModes) {
+    for (auto const& shape : sample_shapes()) {
+      auto const bender = made_bender(shape, mode);
+      auto const rest = bender.bent_on_grid(bender.rest_pose());
+      EXPECT_EQ(rest.outlines, shape.outlines);
+      EXPECT_EQ(rest.lines, shape.lines);
+      auto const pose = posed(bender.rest_pose(), move);
+      EXPECT_LT(largest_difference(bender.bent_on_grid(pose), bender.bent(pose)), 1e-3);
+    }
+  }
+}
+
 TEST(Bender, MovesRigidlyInRigidPoses) {
   auto const turn = sin_cos(1.3);
   Affine const map = {turn.cos, turn.sin, -turn.sin, turn.cos, 310, -47};
@@ -155,7 +169,7 @@ TEST(Bender, BendsRounderWhereItIsStifferTowardsTheEndOfAReach) {
 TEST(Bender, BendsALooseLineInARound) {
   Polyline line;
   for (int i = 0; i <= 120; ++i) line.push_back({i * 5.0, 0});
-  auto bender = made(only_lines({line}));
+  auto bender = made_bender(only_lines({line}));
   auto pose = bender.rest_pose();
   auto const tip = bender.nearest(pose, {0, 0});
   auto const area = bender.within_reach(tip, 150);
