@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "cli/batch.h"
@@ -147,16 +146,31 @@ BendFacts facts_of(Document const& document, std::vector<BendMove> const& moves,
   return facts;
 }
 
+/// The pin that is farthest from where it was to go, and how many more are not there; empty: all are.
+std::string missed_pins(DeformPlan const& plan, std::vector<BendMove> const& moves,
+                        BentDocument const& bent) {
+  std::size_t worst = 0;
+  double worst_px = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    double const off_px = distance(bent.ends[i], moves[i].to);
+    if (off_px >= kWorthTellingPx) ++count;
+    if (off_px <= worst_px) continue;
+    worst = i;
+    worst_px = off_px;
+  }
+  if (count == 0) return "";
+  auto const others =
+      count > 1 ? " (" + std::to_string(count - 1) + " more do not get there)" : std::string();
+  return plan.pins[worst].source + " ends " + std::to_string(std::llround(worst_px)) +
+         " px from where it was to go" + others + ": other pins or joints hold against it";
+}
+
 /// What came out otherwise than it was asked for.
 void warn(std::string const& input, DeformPlan const& plan, std::vector<BendMove> const& moves,
           BentDocument const& bent) {
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    double const off_px = distance(bent.ends[i], moves[i].to);
-    if (off_px < kWorthTellingPx) continue;
-    std::ostringstream message;
-    message << plan.pins[i].source << " ends " << std::llround(off_px)
-            << " px from where it was to go: other pins or the drawing's joints hold against it";
-    print_warning(input, message.str());
+  if (auto const missed = missed_pins(plan, moves, bent); !missed.empty()) {
+    print_warning(input, missed);
   }
   if (!bent.is_settled) {
     print_warning(input, "still moving after " + std::to_string(bent.steps) +

@@ -120,23 +120,32 @@ std::vector<int> SvgWalk::children(int node) const {
 }
 
 /// Candidate layers are the groups below the root. A group around all of them only carries their common style: then they are the ones
-/// in it.
+/// in it. Around a single one it must say nothing of a part itself, and the one in it have a name.
 void SvgWalk::find_group_level() {
   auto const is_group = [&](int node) { return tree_.element(node).name() == "g"; };
+  auto const is_named = [&](int node) {
+    auto const element = tree_.element(node);
+    return element.find("id") || element.find(kLabel) || element[kLayerMode] == "layer";
+  };
+  auto const is_named_part = [&](int node) {
+    auto const element = tree_.element(node);
+    bool const is_help = starts_with_help(element.find(kLabel).value_or(element["id"]));
+    return is_group(node) && is_named(node) && !is_help;
+  };
+  auto const says_nothing = [&](int node) {
+    auto const element = tree_.element(node);
+    return !is_named(node) && !element.find("data-fill") && !element.find("data-thickness");
+  };
   auto level = children(0);
   while (level.size() == 1 && is_group(level[0])) {
     auto const below = children(level[0]);
-    if (std::count_if(below.begin(), below.end(), is_group) < 2) break;
+    bool const is_around_one =
+        below.size() == 1 && is_named_part(below[0]) && says_nothing(level[0]);
+    if (!is_around_one && std::count_if(below.begin(), below.end(), is_group) < 2) break;
     ++group_depth_;
     level = below;
   }
-  for (int const node : level) {
-    auto const element = tree_.element(node);
-    bool const is_named =
-        element.find("id") || element.find(kLabel) || element[kLayerMode] == "layer";
-    bool const is_help = starts_with_help(element.find(kLabel).value_or(element["id"]));
-    if (is_group(node) && is_named && !is_help) only_named_groups_ = true;
-  }
+  only_named_groups_ = std::any_of(level.begin(), level.end(), is_named_part);
 }
 
 void SvgWalk::visit(int node, Frame const& frame) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -145,11 +146,9 @@ TEST_F(DeformVerb, PinsThatDoNotGetThereAreToldUnlessQuiet) {
                                            "bent.svg"};
   auto const told = deform(pulled);
   EXPECT_EQ(told.status, 0) << told.err;
-  EXPECT_NE(told.err.find("parts.svg: warning: --pin 1 ends 55 px from where it was to go"),
-            std::string::npos)
-      << told.err;
-  EXPECT_EQ(told.err.find("--pin 2"), std::string::npos) << told.err;
-  EXPECT_NE(told.err.find("warning: --pin 3"), std::string::npos) << told.err;
+  std::string const says = "parts.svg: warning: --pin 1 ends 55 px from where it was to go (1 more";
+  EXPECT_NE(told.err.find(says), std::string::npos) << told.err;
+  EXPECT_EQ(std::count(told.err.begin(), told.err.end(), '\n'), 1) << told.err;
   auto quiet = pulled;
   quiet.emplace_back("--quiet");
   EXPECT_EQ(deform(quiet).err, "");

@@ -315,5 +315,17 @@ TEST(ReadSvg, AGroupAroundAllGroupsIsNoLayer) {
   EXPECT_EQ(drawing->sketch.strokes[1].group, 1);
 }
 
+TEST(ReadSvg, ANamedGroupAloneInOneWithoutANameIsTheLayer) {
+  auto const in = [](std::string const& around, std::string const& inside) {
+    return groups_of("<g " + around + ">" + inside + "</g>");
+  };
+  std::string const fish = "<g id='fish'>" + kLine + "</g>";
+  EXPECT_EQ(in("fill='none'", fish), "fish; 0");
+  EXPECT_EQ(in("data-thickness='3'", fish), "group 1; 0");
+  EXPECT_EQ(in("id='pond'", fish), "pond; 0");
+  EXPECT_EQ(in("fill='none'", kLine + fish), "group 1; 0 0");
+  EXPECT_EQ(in("fill='none'", "<g>" + kLine + "</g>"), "group 1; 0");
+}
+
 }  // namespace
 }  // namespace inkflate
