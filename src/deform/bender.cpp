@@ -100,13 +100,15 @@ struct Bender::Inside {
     bool const is_own = rest.outlines.empty();
     auto const own = std::find_if(meshed.origins.begin(), meshed.origins.end(),
                                   [&](BendLineOrigin const& o) { return o.index == index; });
-    int const line = static_cast<int>(own - meshed.origins.begin());
-    for (int k = 0; k < std::ssize(rest.lines[index]); ++k) {
-      Vec2 const point = rest.lines[index][k];
-      int const place = is_own && own != meshed.origins.end() ? places.add_on_line(line, k, point)
-                                                              : places.add(point);
-      line_places.push_back(place);
+    auto const& points = rest.lines[index];
+    if (!is_own || own == meshed.origins.end()) {
+      auto const added = places.add_line(points);
+      line_places.insert(line_places.end(), added.begin(), added.end());
+      return;
     }
+    int const line = static_cast<int>(own - meshed.origins.begin());
+    for (int k = 0; k < std::ssize(points); ++k)
+      line_places.push_back(places.add_on_line(line, k, points[k]));
   }
 
   BendShape rest;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deform/cut_sheets.h"
 #include "mesh/mesh_region.h"
 #include "mesh/rim_spacing.h"
 
@@ -100,15 +101,39 @@ ShapeMesh shape_mesh(RegionMesh region, std::span<LineSamples const> rims,
   return result;
 }
 
+MeshRegionOptions inside_options(Contour const& rim, double edge_px) {
+  MeshRegionOptions options;
+  double const area = std::abs(signed_area(rim));
+  options.longest_px =
+      std::max(kLongestInside * edge_px, std::sqrt(area / (kVerticesInside * kAreaOfVertex)));
+  return options;
+}
+
+/// Gives a mesh the triangles of one of its pieces, whose corners it has already. False: it cannot be filled.
+bool add_piece(std::span<int const> piece, MeshRegionOptions const& options, FlatMesh& mesh) {
+  Region region;
+  region.contours.emplace_back();
+  for (int const v : piece) region.contours[0].push_back(mesh.points[v]);
+  auto const meshed = mesh_region(region, options);
+  if (!meshed) return false;
+  std::vector<int> names(meshed->mesh.points.size(), -1);
+  for (std::size_t k = 0; k < piece.size(); ++k) names[meshed->contours[0][k]] = piece[k];
+  for (std::size_t v = 0; v < names.size(); ++v) {
+    if (names[v] >= 0) continue;
+    names[v] = static_cast<int>(std::ssize(mesh.points));
+    mesh.points.push_back(meshed->mesh.points[v]);
+  }
+  for (auto const& [a, b, c] : meshed->mesh.triangles)
+    mesh.triangles.push_back({names[a], names[b], names[c]});
+  return true;
+}
+
 /// Fills the rims; may_drop: holes that are in the way are left out.
 std::optional<ShapeMesh> fill(std::span<LineSamples const> rims, double edge_px, double body,
                               bool may_drop) {
   auto areas = areas_among(rims);
   if (areas.empty() || areas.front() != 0) return {};
-  MeshRegionOptions options;
-  double const area = std::abs(signed_area(rims.front().points));
-  options.longest_px =
-      std::max(kLongestInside * edge_px, std::sqrt(area / (kVerticesInside * kAreaOfVertex)));
+  auto const options = inside_options(rims.front().points, edge_px);
   for (;;) {
     Region region;
     for (int const i : areas) region.contours.push_back(rims[i].points);
@@ -121,6 +146,31 @@ std::optional<ShapeMesh> fill(std::span<LineSamples const> rims, double edge_px,
     if (!may_drop || culprit <= 0 || culprit >= std::ssize(areas)) return {};
     areas.erase(areas.begin() + culprit);
   }
+}
+
+/// A rim that lies over itself, filled sheet by sheet.
+std::optional<ShapeMesh> fill_sheets(std::span<LineSamples const> rims, double edge_px,
+                                     double body) {
+  auto const areas = areas_among(rims);
+  // It is not known in which sheet a hole is.
+  if (areas != std::vector{0}) return {};
+  auto const& rim = rims.front().points;
+  auto sheets = cut_into_sheets(rim, edge_px);
+  if (!sheets) return {};
+  RegionMesh whole;
+  whole.contours.emplace_back();
+  for (int v = 0; v < std::ssize(rim); ++v) whole.contours[0].push_back(v);
+  whole.mesh.points = sheets->points;
+  std::vector<int> sheet_of;
+  for (auto const& piece : sheets->pieces) {
+    int const sheet = sheet_of.empty() ? 0 : sheet_of.back() + 1;
+    if (!add_piece(piece, inside_options(rim, edge_px), whole.mesh)) return {};
+    sheet_of.resize(whole.mesh.triangles.size(), sheet);
+  }
+  if (is_too_thin(whole.mesh, edge_px)) return {};
+  auto shape = shape_mesh(std::move(whole), rims, areas, edge_px, body);
+  shape.sheets = std::move(sheet_of);
+  return shape;
 }
 
 std::vector<LineSamples> thinned_rims(std::span<Outline const> outlines,
@@ -173,7 +223,7 @@ std::optional<ShapeMesh> body_mesh(std::span<Outline const> outlines, double bod
       for (auto& each : lengths) each /= 2;
     }
   }
-  return {};
+  return fill_sheets(thinned_rims(outlines, fine, spacing_of(fine, edge_px)), edge_px, body);
 }
 
 }  // namespace inkflate

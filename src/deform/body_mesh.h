@@ -22,8 +22,9 @@ std::vector<LineSamples> sample_rims(std::span<Outline const> outlines, double e
 ///
 /// in      outlines: the outer one first, then the holes; at least one. least_edge_px: edges along the rims are as long as this where
 ///         that is no more than four times as long as they would be
-/// out     nothing where the outer outline has no area or crosses itself however finely it is sampled. Holes that cross something
-///         are left out, and filled
+/// out     nothing where the outer outline has no area, or crosses itself however finely it is sampled and is no rim of a disk, or has holes
+///         then. A disk that lies over itself is filled sheet by sheet (deform/cut_sheets.h). Holes that cross something are left out, and
+///         filled
 /// cost    about 3 ms for rims of 400 points
 std::optional<ShapeMesh> body_mesh(std::span<Outline const> outlines, double body,
                                    double least_edge_px = 0);

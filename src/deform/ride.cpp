@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/check.h"
+#include "deform/line_in_sheets.h"
 #include "geometry/segment.h"
 
 namespace inkflate {
@@ -79,7 +80,21 @@ int RidePlaces::add_on_line(int line, double parameter, Vec2 place) {
 }
 
 int RidePlaces::add(Vec2 place) {
-  auto const inside = shape_->is_filled ? triangles_.find(place) : std::nullopt;
+  return add_in(place, shape_->is_filled ? triangles_.find(place) : std::nullopt);
+}
+
+std::vector<int> RidePlaces::add_line(std::span<Vec2 const> line) {
+  std::vector<int> indices;
+  if (shape_->sheets.empty()) {
+    for (Vec2 const place : line) indices.push_back(add(place));
+    return indices;
+  }
+  auto const inside = line_in_sheets(*shape_, triangles_, line);
+  for (std::size_t k = 0; k < line.size(); ++k) indices.push_back(add_in(line[k], inside[k]));
+  return indices;
+}
+
+int RidePlaces::add_in(Vec2 place, std::optional<MeshPlace> const& inside) {
   if (inside) {
     add_triangle(*inside);
   } else {

@@ -27,6 +27,9 @@ class RidePlaces {
   /// A place anywhere: rides in its triangle or, outside of all, after the lines that are near. Returns its index.
   /// cost    O(1) inside and near a line; far away O(points of the mesh's lines) once, and some tens of vertices to ride on
   int add(Vec2 place);
+  /// The points of a line, in order. Where the shape lies over itself they stay in the sheet in which the line is: where it is in one alone it
+  /// begins; what is nowhere so rides in the smallest. Returns their indices.
+  std::vector<int> add_line(std::span<Vec2 const> line);
 
   Vec2 rest(int index) const { return places_[index]; }
   /// How far the place has moved.
@@ -55,6 +58,7 @@ class RidePlaces {
 
   void add_line_points(BendLine const& line);
   int finish(Vec2 place);
+  int add_in(Vec2 place, std::optional<MeshPlace> const& inside);
   void add_triangle(MeshPlace const& in);
   void add_edge(int from, int to, Vec2 place, double weight);
   /// visit(LinePoint) for at least every point of the lines within radius.

@@ -18,6 +18,8 @@ struct ShapeMesh {
   BendMesh mesh;
   std::vector<BendLineOrigin> origins;  // one per BendMesh::lines
   bool is_filled = false;               // what lies inside of the outlines is meshed, not strips
+  // Per triangle the sheet that it is in, smaller ones first, where the shape lies over itself; empty: it does not.
+  std::vector<int> sheets;
 };
 
 }  // namespace inkflate

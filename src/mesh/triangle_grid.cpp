@@ -51,8 +51,9 @@ int TriangleGrid::row(double y) const {
   return std::clamp(static_cast<int>((y - box_.min.y) / side_), 0, rows_ - 1);
 }
 
-std::optional<MeshPlace> TriangleGrid::find(Vec2 p) const {
-  if (p.x < box_.min.x || p.y < box_.min.y || p.x > box_.max.x || p.y > box_.max.y) return {};
+template <typename Visit>
+void TriangleGrid::visit_at(Vec2 p, Visit visit) const {
+  if (p.x < box_.min.x || p.y < box_.min.y || p.x > box_.max.x || p.y > box_.max.y) return;
   int const bucket = row(p.y) * columns_ + column(p.x);
   for (int k = starts_[bucket]; k < starts_[bucket + 1]; ++k) {
     auto const& t = mesh_.triangles[items_[k]];
@@ -62,9 +63,26 @@ std::optional<MeshPlace> TriangleGrid::find(Vec2 p) const {
     std::array<double, 3> const parts = {cross(b, c), cross(c, a), cross(a, b)};
     double const whole = parts[0] + parts[1] + parts[2];
     if (whole <= 0 || std::min({parts[0], parts[1], parts[2]}) < -kEdgeTolerance * whole) continue;
-    return MeshPlace{items_[k], {parts[0] / whole, parts[1] / whole, parts[2] / whole}};
+    if (!visit({items_[k], {parts[0] / whole, parts[1] / whole, parts[2] / whole}})) return;
   }
-  return {};
+}
+
+std::optional<MeshPlace> TriangleGrid::find(Vec2 p) const {
+  std::optional<MeshPlace> found;
+  visit_at(p, [&](MeshPlace const& place) {
+    found = place;
+    return false;
+  });
+  return found;
+}
+
+std::vector<MeshPlace> TriangleGrid::find_all(Vec2 p) const {
+  std::vector<MeshPlace> found;
+  visit_at(p, [&](MeshPlace const& place) {
+    found.push_back(place);
+    return true;
+  });
+  return found;
 }
 
 double interpolate(FlatMesh const& mesh, std::vector<double> const& values,

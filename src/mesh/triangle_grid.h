@@ -27,8 +27,13 @@ class TriangleGrid {
 
   /// The first of the triangles that hold p, edges included; nothing if p lies outside of the mesh.
   std::optional<MeshPlace> find(Vec2 p) const;
+  /// All of them, in the mesh's order: of a mesh that lies over itself, or along edges, there are several.
+  std::vector<MeshPlace> find_all(Vec2 p) const;
 
  private:
+  /// visit(MeshPlace) for the triangles that hold p, until it returns false.
+  template <typename Visit>
+  void visit_at(Vec2 p, Visit visit) const;
   int column(double x) const;
   int row(double y) const;
 

@@ -24,6 +24,7 @@ std::vector<BendShape> sample_shapes() {
   return {face_shape(200),
           {{bar_outline(400, 40)}, {}},
           {{crossing_outline(500)}, {{{250, 250}, {300, 250}}}},
+          {{polygon_outline(folded_limb_corners())}, {{{20, 60}, {180, 60}}, {{160, 60}}}},
           {{crossing_outline(500), disc_outline({100, 100}, 20, true)}, {}},
           {{polygon_outline({{5, 5}, {80, 5}})}, {}},
           {{polygon_outline({{5, 5}, {5, 5}})}, {{{9, 9}}}},

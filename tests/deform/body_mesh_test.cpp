@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "support/bend_shapes.h"
 
@@ -126,7 +129,26 @@ TEST(BodyMesh, FillsHolesThatCrossTheRim) {
   EXPECT_EQ(shape->origins.at(1).index, 2);
 }
 
-TEST(BodyMesh, RefusesOutlinesThatCrossThemselvesOrHaveNoArea) {
+TEST(BodyMesh, FillsAnOutlineThatLiesOverItselfSheetBySheet) {
+  auto const outline = support::polygon_outline(support::folded_limb_corners());
+  auto const shape = filled({outline});
+  ASSERT_TRUE(shape.has_value());
+  auto const& mesh = shape->mesh.rest;
+  EXPECT_GT(least_area(mesh, mesh.points), 0);
+  EXPECT_NEAR(mesh_area(mesh), signed_area(support::folded_limb_corners()), 1e-6);
+  std::set<std::pair<int, int>> edges;
+  for (auto const& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
+  }
+  // A disk.
+  EXPECT_EQ(std::ssize(mesh.points) - std::ssize(edges) + std::ssize(mesh.triangles), 1);
+  ASSERT_EQ(shape->sheets.size(), mesh.triangles.size());
+  EXPECT_TRUE(std::is_sorted(shape->sheets.begin(), shape->sheets.end()));
+  EXPECT_GE(shape->sheets.back(), 1);
+  EXPECT_FALSE(filled({outline, disc_outline({50, 150}, 20, true)}));
+}
+
+TEST(BodyMesh, RefusesOutlinesThatAreNoRimOrHaveNoArea) {
   EXPECT_FALSE(filled({support::crossing_outline(500)}));
   EXPECT_FALSE(filled({support::polygon_outline({{5, 5}, {5, 5}})}));
   EXPECT_FALSE(filled({support::polygon_outline({{5, 5}, {80, 5}})}));

@@ -72,6 +72,11 @@ Outline crossing_outline(double size) {
                           {2 * s, 1 * s}});
 }
 
+Contour folded_limb_corners() {
+  return {{0, 0},    {200, 0},  {200, 140}, {260, 140}, {260, 80},  {120, 80},
+          {120, 40}, {300, 40}, {300, 180}, {200, 180}, {200, 200}, {0, 200}};
+}
+
 std::function<Vec2(Vec2)> arc_map(double length, double middle, double angle_rad) {
   double const radius = length / angle_rad;
   return [=](Vec2 p) {

@@ -22,6 +22,9 @@ Outline bar_outline(double length, double width);
 BendShape face_shape(double radius);
 /// An outline that crosses itself: the two ends of a band lie over each other.
 Outline crossing_outline(double size);
+/// The corners of a body, (0, 0) to (200, 200), with a limb at its right side that is bent back over it: between y = 40 and 80 it reaches
+/// from x = 300 to 120.
+Contour folded_limb_corners();
 
 /// The line y = middle becomes an arc of this angle that is as long; what is beside it keeps its distance.
 std::function<Vec2(Vec2)> arc_map(double length, double middle, double angle_rad);
