@@ -26,38 +26,47 @@ SoftHandles::SoftHandles(BendMesh const& mesh, std::span<BendHandle const> handl
     // What is held by a grip resists the more.
     double const strength = handle.grip_px > 0 ? strength_ * Grips::kStiffest : strength_;
     places_.push_back({handle.anchor, handle.target, strength});
-    if (!handle.turn_rad) continue;
+  }
+  add_turned(handles);
+}
+
+void SoftHandles::add_turned(std::span<BendHandle const> handles) {
+  auto const is_turned = [](BendHandle const& handle) { return handle.turn_rad.has_value(); };
+  if (std::none_of(handles.begin(), handles.end(), is_turned)) return;
+  TrianglesAt const triangles(mesh_->rest);
+  std::vector<char> is_in(mesh_->rest.points.size(), false);
+  for (auto const& handle : handles) {
+    if (!is_turned(handle)) continue;
     auto const turn = sin_cos(*handle.turn_rad);
-    turned_.push_back({&handle, ring_around(handle.anchor), {turn.cos, turn.sin}});
+    turned_.push_back(
+        {&handle, ring_around(handle.anchor, triangles, is_in), {turn.cos, turn.sin}});
   }
 }
 
-/// The vertices near a place that hang together with it there: not those across a gap.
-std::vector<SoftHandles::RingVertex> SoftHandles::ring_around(BendAnchor const& anchor) const {
+/// The vertices near a place that hang together with it there: not those across a gap. is_in: all false, and so left
+std::vector<SoftHandles::RingVertex> SoftHandles::ring_around(BendAnchor const& anchor,
+                                                              TrianglesAt const& triangles,
+                                                              std::vector<char>& is_in) const {
   auto const& mesh = mesh_->rest;
   Vec2 const centre = place_of(mesh, mesh.points, anchor);
   double const reach_px = kRingEdges * mesh_->edge_px;
   std::vector<RingVertex> ring;
-  std::vector<char> is_in(mesh.points.size(), false);
   auto const add = [&](int triangle, int corner) {
     int const vertex = mesh.triangles[triangle][corner];
-    if (is_in[vertex]) return false;
+    if (is_in[vertex]) return;
     is_in[vertex] = true;
     ring.push_back({vertex, corner_anchor(triangle, corner), mesh.points[vertex] - centre});
-    return true;
   };
   for (int corner = 0; corner < 3; ++corner) add(anchor.triangle, corner);
-  for (bool has_grown = true; has_grown;) {
-    has_grown = false;
-    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    for (int const t : triangles[ring[i].vertex]) {
       auto const& corners = mesh.triangles[t];
-      if (!is_in[corners[0]] && !is_in[corners[1]] && !is_in[corners[2]]) continue;
       for (int corner = 0; corner < 3; ++corner) {
-        bool const is_near = distance(mesh.points[corners[corner]], centre) <= reach_px;
-        if (is_near && add(t, corner)) has_grown = true;
+        if (distance(mesh.points[corners[corner]], centre) <= reach_px) add(t, corner);
       }
     }
   }
+  for (auto const& v : ring) is_in[v.vertex] = false;
   return ring;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "deform/bend_mesh.h"
+#include "mesh/triangles_at.h"
 
 namespace inkflate {
 
@@ -27,6 +28,7 @@ class SoftHandles {
   static constexpr double kStrength = 1000;
 
   /// mesh: has to outlive the handles. handles: their anchors are in this mesh
+  /// cost    O(handles), and O(triangles) once where any has a turn
   SoftHandles(BendMesh const& mesh, std::span<BendHandle const> handles);
 
   /// Towards the targets and turns themselves.
@@ -47,7 +49,9 @@ class SoftHandles {
     Vec2 direction;  // cosine and sine of the turn
   };
 
-  std::vector<RingVertex> ring_around(BendAnchor const& anchor) const;
+  void add_turned(std::span<BendHandle const> handles);
+  std::vector<RingVertex> ring_around(BendAnchor const& anchor, TrianglesAt const& triangles,
+                                      std::vector<char>& is_in) const;
   void add_ring(Turned const& turned, Vec2 direction, std::vector<Pull>& pulls) const;
 
   BendMesh const* mesh_;
