@@ -26,6 +26,7 @@ HostArea::HostArea(LayerRim const& rim, double step_px) {
   contours_.push_back(thinned(outer_contour(rim), step_px));
   for (auto const& hole : rim.holes) contours_.push_back(thinned(hole, step_px));
   box_ = bounds(contours_.front());
+  area_px2_ = signed_area(contours_.front());
 }
 
 double HostArea::clearance(Vec2 p) const {

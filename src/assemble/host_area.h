@@ -14,7 +14,7 @@ class HostArea {
   HostArea(LayerRim const& rim, double step_px);
 
   /// Within the outer outline, px^2.
-  double area() const { return signed_area(contours_.front()); }
+  double area() const { return area_px2_; }
 
   /// Distance to the layer's boundary: positive inside, negative outside. Far outside it is only a lower bound of the distance.
   double clearance(Vec2 p) const;
@@ -24,6 +24,7 @@ class HostArea {
  private:
   std::vector<Contour> contours_;
   Rect box_;
+  double area_px2_ = 0;
 };
 
 }  // namespace inkflate

@@ -28,11 +28,14 @@ constexpr std::array kClearanceFactors = {1.0, 0.5, 0.25};
 // A host has at least this share of its limb's area.
 constexpr double kLeastHostShare = 0.5;
 
+// Lines whose boxes are as far apart as this many times a distance are farther apart than that, whatever is rounded.
+constexpr double kSurelyFar = 1.001;
+
 /// A line on a host along which something is already joined.
 struct Seam {
-  int host = 0;
   Side side = Side::Front;
   Polyline line;
+  Rect box;
 };
 
 /// Where a run could go.
@@ -69,7 +72,12 @@ Polyline coarse(Polyline const& line) {
 class Planner {
  public:
   Planner(std::vector<LayerRim>& rims, double unit_px) : rims_(rims), unit_px_(unit_px) {
-    for (auto const& rim : rims) areas_.emplace_back(rim, 4 * unit_px);
+    for (auto const& rim : rims) {
+      areas_.emplace_back(rim, 4 * unit_px);
+      is_joined_.emplace_back(rim.runs.size(), false);
+    }
+    hosts_.resize(rims.size());
+    seams_.resize(rims.size());
   }
 
   std::vector<PlannedJoint> run() && {
@@ -77,7 +85,7 @@ class Planner {
     for (int i = 0; i < count; ++i) {
       // By index: a push replaces the runs' points, not their number.
       for (int r = 0; r < static_cast<int>(std::ssize(rims_[i].runs)); ++r) {
-        if (rims_[i].runs[r].opening == Opening::None || is_joined(i, r)) continue;
+        if (rims_[i].runs[r].opening == Opening::None || is_joined_[i][r]) continue;
         if (join_mouth(i, r) || join_slit(i, r)) continue;
         auto& opening = rims_[i].runs[r].opening;
         if (opening == Opening::Possible) opening = Opening::None;
@@ -87,19 +95,19 @@ class Planner {
   }
 
  private:
-  bool is_joined(int layer, int run) const {
-    return std::any_of(joints_.begin(), joints_.end(), [&](PlannedJoint const& joint) {
-      return (joint.limb == layer && joint.run == run) ||
-             (joint.host == layer && joint.host_run == run);
-    });
+  void add_joint(PlannedJoint const& joint) {
+    joints_.push_back(joint);
+    is_joined_[joint.limb][joint.run] = true;
+    if (joint.host_run >= 0) is_joined_[joint.host][joint.host_run] = true;
+    hosts_[joint.limb].push_back(joint.host);
   }
 
   bool join_mouth(int layer, int run) {
     for (int other = layer + 1; other < static_cast<int>(std::ssize(rims_)); ++other) {
       for (int r = 0; r < static_cast<int>(std::ssize(rims_[other].runs)); ++r) {
-        if (rims_[other].runs[r].opening == Opening::None || is_joined(other, r)) continue;
+        if (rims_[other].runs[r].opening == Opening::None || is_joined_[other][r]) continue;
         if (!bring_together(rims_[layer], run, rims_[other], r)) continue;
-        joints_.push_back({layer, run, other, r, Side::Front});
+        add_joint({layer, run, other, r, Side::Front});
         return true;
       }
     }
@@ -117,8 +125,9 @@ class Planner {
     for (auto const& place : places) {
       if (!push_into(layer, run, place.push)) continue;
       auto const side = place.host < layer ? Side::Front : Side::Back;
-      joints_.push_back({layer, run, place.host, -1, side});
-      seams_.push_back({place.host, side, rims_[layer].runs[run].points});
+      add_joint({layer, run, place.host, -1, side});
+      auto const& line = rims_[layer].runs[run].points;
+      seams_[place.host].push_back({side, line, bounds(line)});
       return true;
     }
     return false;
@@ -138,9 +147,8 @@ class Planner {
   /// A closing is no proof that something joins there: a body does not grow out of its own arm, nor out of anything much smaller than itself.
   bool may_host(int host, int limb, Opening opening) const {
     if (opening == Opening::Wanted) return true;
-    bool const is_limb_of_it = std::any_of(
-        joints_.begin(), joints_.end(),
-        [&](PlannedJoint const& joint) { return joint.limb == host && joint.host == limb; });
+    auto const& hosts = hosts_[host];
+    bool const is_limb_of_it = std::find(hosts.begin(), hosts.end(), limb) != hosts.end();
     return !is_limb_of_it && areas_[host].area() >= kLeastHostShare * areas_[limb].area();
   }
 
@@ -173,8 +181,10 @@ class Planner {
   /// Whether the line keeps away from the seams on the host. On the other side of it, it may lie exactly on one: that is a duplicate.
   bool is_free(int host, int limb, Polyline const& line, double distance_px) const {
     auto const side = host < limb ? Side::Front : Side::Back;
-    return std::all_of(seams_.begin(), seams_.end(), [&](Seam const& seam) {
-      if (seam.host != host) return true;
+    auto const& seams = seams_[host];
+    auto const near = bounds(line).grown(kSurelyFar * distance_px);
+    return std::all_of(seams.begin(), seams.end(), [&](Seam const& seam) {
+      if (!touch(seam.box, near)) return true;
       if (seam.side != side && seam.line == line) return true;
       return distance_between(line, seam.line) >= distance_px;
     });
@@ -203,7 +213,9 @@ class Planner {
   std::vector<LayerRim>& rims_;
   double unit_px_;
   std::vector<HostArea> areas_;
-  std::vector<Seam> seams_;
+  std::vector<std::vector<char>> is_joined_;  // per layer and run
+  std::vector<std::vector<int>> hosts_;       // per layer, those that it joins
+  std::vector<std::vector<Seam>> seams_;      // per host
   std::vector<PlannedJoint> joints_;
 };
 
