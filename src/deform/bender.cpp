@@ -87,7 +87,9 @@ struct Bender::Inside {
         places(meshed),
         solver(mode == BendMode::Wire ? Solver(WireSolver(meshed.mesh))
                                       : Solver(BodySolver(meshed.mesh))) {
-    join_px = std::clamp(kJoinShare * box_of(rest).longer_side(), kLeastJoinPx, kJoinPx);
+    double const size_px = box_of(rest).longer_side();
+    join_px = std::clamp(kJoinShare * size_px, kLeastJoinPx, kJoinPx);
+    grid = PlaceGrid::of_shape(size_px);
     for (int i = 0; i < std::ssize(rest.outlines); ++i)
       outlines.emplace_back(rest.outlines[i], meshed, i, places);
     for (int i = 0; i < std::ssize(rest.lines); ++i) add_line(i);
@@ -116,6 +118,7 @@ struct Bender::Inside {
   std::vector<OutlineRide> outlines;
   std::vector<int> line_places;  // of all points of all lines, in order
   double join_px = 0;
+  PlaceGrid grid;  // on which bent shapes are kept
 };
 
 Bender::Bender(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
@@ -175,19 +178,23 @@ BendProgress Bender::step(BendPose& pose, BendHold const& hold, int steps) {
   return std::visit([&](auto& solver) { return solver.step(pose, hold, steps); }, inside_->solver);
 }
 
-BendShape Bender::bent(BendPose const& pose) const {
+BendShape Bender::bent(BendPose const& pose) const { return bent(pose, {}); }
+
+BendShape Bender::bent_on_grid(BendPose const& pose) const { return bent(pose, inside_->grid); }
+
+BendShape Bender::bent(BendPose const& pose, PlaceGrid const& grid) const {
   auto const& own = *inside_;
   auto const motions = own.field.motions(pose);
   BendShape shape;
   for (auto const& outline : own.outlines)
-    shape.outlines.push_back(outline.bent(own.places, motions, own.join_px));
+    shape.outlines.push_back(outline.bent(own.places, motions, own.join_px, grid));
   shape.lines = own.rest.lines;
   auto next = own.line_places.begin();
   for (auto& line : shape.lines) {
     for (auto& point : line) {
       Vec2 const shift = own.places.shift(motions, *next++);
       // Adding zeros may change a negative zero.
-      if (shift != Vec2{}) point += shift;
+      if (shift != Vec2{}) point = grid(point, point + shift);
     }
   }
   return shape;

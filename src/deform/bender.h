@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "deform/bend_mesh.h"
 #include "deform/bend_options.h"
+#include "deform/place_grid.h"
 #include "geometry/polyline.h"
 #include "model/drawing.h"
 
@@ -57,9 +58,14 @@ class Bender {
   /// cost    about 0.3 ms for a contour of 400 points
   BendShape bent(BendPose const& pose) const;
 
+  /// The same as it is kept: what has moved lies on the decimals of PlaceGrid::of_shape. No place is farther than 0.001 px from where it
+  /// is in `bent`.
+  BendShape bent_on_grid(BendPose const& pose) const;
+
  private:
   struct Inside;
   explicit Bender(std::unique_ptr<Inside> inside);
+  BendShape bent(BendPose const& pose, PlaceGrid const& grid) const;
   std::unique_ptr<Inside> inside_;
 };
 

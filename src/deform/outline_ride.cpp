@@ -116,7 +116,7 @@ std::vector<OutlineRide::BentStretch> OutlineRide::bent_stretches(
 }
 
 Outline OutlineRide::bent(RidePlaces const& places, std::span<VertexMotion const> motions,
-                          double tolerance_px) const {
+                          double tolerance_px, PlaceGrid const& grid) const {
   auto const bent = bent_stretches(places, motions);
   Outline result;
   std::vector<int> kept;
@@ -133,6 +133,10 @@ Outline OutlineRide::bent(RidePlaces const& places, std::span<VertexMotion const
         continue;
       }
       result.pieces.push_back({bent[k].curve, rest_.pieces[piece].kind});
+      auto& curve = result.pieces.back().curve;
+      for (std::size_t c = 0; c < curve.control.size(); ++c) {
+        curve.control[c] = grid(stretches_[k].rest.control[c], curve.control[c]);
+      }
       kept.push_back(stretches_[k].from);
     }
   }

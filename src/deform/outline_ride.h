@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "deform/place_grid.h"
 #include "deform/ride.h"
 #include "model/drawing.h"
 
@@ -16,10 +17,11 @@ class OutlineRide {
   /// in      index: of the outline in the shape that the mesh was made from
   OutlineRide(Outline outline, ShapeMesh const& shape, int index, RidePlaces& places);
 
-  /// The outline in a pose, no farther than tolerance_px from all of its cuts. Pieces that have not moved are as they were.
+  /// The outline in a pose, no farther than tolerance_px from all of its cuts, then put on the grid. Pieces that have not moved are as they
+  /// were.
   /// cost    O(cuts)
-  Outline bent(RidePlaces const& places, std::span<VertexMotion const> motions,
-               double tolerance_px) const;
+  Outline bent(RidePlaces const& places, std::span<VertexMotion const> motions, double tolerance_px,
+               PlaceGrid const& grid) const;
 
  private:
   /// A stretch of one piece between two cuts: a cubic of its own.

@@ -169,7 +169,7 @@ void BendPart::anchor_pins() {
 }
 
 Bend::Part BendPart::bent_layer(BendPose const& pose) const {
-  auto bent = bender_->bent(pose);
+  auto bent = bender_->bent_on_grid(pose);
   auto const& source = *now_.source.layer;
   Bend::Part part = {source.layer.id, std::move(bent.outlines), {}, {}};
   for (std::size_t i = 0; i < bent.lines.size(); ++i) {
@@ -180,7 +180,7 @@ Bend::Part BendPart::bent_layer(BendPose const& pose) const {
 }
 
 Bend::Line BendPart::bent_stroke(BendPose const& pose, StrokeRef const& stroke) const {
-  return {stroke, bender_->bent(pose).lines.front()};
+  return {stroke, bender_->bent_on_grid(pose).lines.front()};
 }
 
 bool BendPart::is_bent_to(BendSource const& source, BendPose const& pose) const {

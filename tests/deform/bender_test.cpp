@@ -74,6 +74,20 @@ TEST(Bender, KeepsWhatHasNotMovedToTheLastBit) {
   EXPECT_GT(pieces.size(), 6U);
 }
 
+TEST(Bender, KeepsBentShapesOnAGridThatNobodySees) {
+  auto const move = [](Vec2 p) { return p + Vec2{p.y / 7, p.x / 9}; };
+  for (auto const mode : kModes) {
+    for (auto const& shape : sample_shapes()) {
+      auto const bender = made(shape, mode);
+      auto const rest = bender.bent_on_grid(bender.rest_pose());
+      EXPECT_EQ(rest.outlines, shape.outlines);
+      EXPECT_EQ(rest.lines, shape.lines);
+      auto const pose = posed(bender.rest_pose(), move);
+      EXPECT_LT(largest_difference(bender.bent_on_grid(pose), bender.bent(pose)), 1e-3);
+    }
+  }
+}
+
 TEST(Bender, MovesRigidlyInRigidPoses) {
   auto const turn = sin_cos(1.3);
   Affine const map = {turn.cos, turn.sin, -turn.sin, turn.cos, 310, -47};

