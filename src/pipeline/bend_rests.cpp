@@ -15,8 +15,8 @@ constexpr std::size_t kStrokes = 64;
 // Of the longer side of all that is drawn: a limb that is a part by itself need not be bent more finely than one that is not.
 constexpr double kLeastEdge = 1.0 / 200;
 
-// So many parts wait for a press: a mesh takes about 1 MB.
-constexpr int kPrepared = 32;
+// Meshes of so many vertices wait for a press, about 1 kB each: those of 30 large parts or of hundreds of small ones.
+constexpr std::ptrdiff_t kPreparedVertices = 48'000;
 
 bool has_outline(Layer const& layer) {
   return !layer.outlines.empty() && !layer.outlines.front().pieces.empty();
@@ -52,11 +52,12 @@ std::optional<Error> BendRests::make_ready(BendPart& part, BendOptions options) 
 
 bool BendRests::prepare_one(Document const& document, BendParts const& parts,
                             BendOptions const& options) const {
-  int count = 0;
+  std::ptrdiff_t vertices = 0;
   for (auto layer = document.layers->rbegin(); layer != document.layers->rend(); ++layer) {
     auto const part = parts.find((*layer)->layer.id);
     if (part == parts.end() || fault_of((*layer)->layer)) continue;
-    if (++count > kPrepared) break;
+    if (vertices > kPreparedVertices) break;
+    if (part->second->is_ready()) vertices += std::ssize(part->second->mesh().rest.points);
     if (part->second->is_tried(options)) continue;
     make_ready(*part->second, options);
     return true;
