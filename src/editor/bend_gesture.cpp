@@ -25,7 +25,7 @@ bool grab(EditorTurn& turn, BendGrab const& what) {
   auto& state = turn.state;
   auto const& document = state.history.document();
   auto const& settings = state.view.settings;
-  auto const reach = bend_reach(document, what, bend_share(document, what, settings));
+  auto const reach = bend_reach(document, what, bend_share(document, what, settings, state.bend));
   auto const error = state.bend.grab(document, what, reach, options_of(settings));
   if (error) say(turn, *error);
   return !error;
@@ -109,7 +109,7 @@ void change_bend_reach(EditorTurn& turn, double factor) {
   auto* const hand = std::get_if<ToolBending>(&state.tool);
   auto const& document = state.history.document();
   double const before = hand == nullptr ? settings.bend_reach.value_or(kUsualBendReach)
-                                        : bend_share(document, hand->what, settings);
+                                        : bend_share(document, hand->what, settings, state.bend);
   double const share = bounded(before * factor, ToolSettings::kLeastBendReach, 1);
   settings.bend_reach = share;
   turn.changes.is_state_changed = turn.changes.is_scene_changed = true;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "assemble/joined_runs.h"
 #include "editor/pick.h"
 
 namespace inkflate {
@@ -17,20 +16,12 @@ bool has_open_run(Layer const& layer) {
   });
 }
 
-/// Whether a layer joins another by an open run.
-bool is_joined(Document const& document, Layer const& layer) {
-  // The search looks at the whole drawing.
-  if (!has_open_run(layer)) return false;
-  auto const drawing = shown_drawing(document);
-  auto const runs = joined_runs(drawing);
-  return std::any_of(runs.begin(), runs.end(), [&](JoinedRun const& run) {
-    return drawing.layers[static_cast<std::size_t>(run.limb)].id == layer.id;
-  });
-}
-
-bool is_held(Document const& document, LayerId id) {
+/// The session's search looks at the whole drawing, where it has not met it.
+bool is_held(Document const& document, LayerId id, BendSession& session) {
   auto const* const layer = find_layer(document, id);
-  return layer != nullptr && (!layer->layer.bend_pins.empty() || is_joined(document, layer->layer));
+  if (layer == nullptr) return false;
+  if (!layer->layer.bend_pins.empty()) return true;
+  return has_open_run(layer->layer) && session.is_limb(document, id);
 }
 
 Rect box_of(Document const& document, BendGrab const& what) {
@@ -42,9 +33,10 @@ Rect box_of(Document const& document, BendGrab const& what) {
 
 }  // namespace
 
-double bend_share(Document const& document, BendGrab const& what, ToolSettings const& settings) {
+double bend_share(Document const& document, BendGrab const& what, ToolSettings const& settings,
+                  BendSession& session) {
   if (settings.bend_reach) return *settings.bend_reach;
-  return is_held(document, what.layer) ? 1 : kUsualBendReach;
+  return is_held(document, what.layer, session) ? 1 : kUsualBendReach;
 }
 
 BendReach bend_reach(Document const& document, BendGrab const& what, double share) {

@@ -13,7 +13,10 @@ inline constexpr double kUsualBendReach = 0.3;
 
 /// How far a drag reaches as a share of what it holds, 0.02 .. 1; 1: all of it. As the person has set it; else all of a part that pins or
 /// joints hold, and a share of any other and of a line.
-double bend_share(Document const& document, BendGrab const& what, ToolSettings const& settings);
+///
+/// session: knows what joins what
+double bend_share(Document const& document, BendGrab const& what, ToolSettings const& settings,
+                  BendSession& session);
 
 /// The share in px of the canvas.
 BendReach bend_reach(Document const& document, BendGrab const& what, double share);

@@ -92,6 +92,19 @@ Vec2 mouth_place(BendJoint const& joint, int point, BendPart const& host, BendPo
   return joint.points[point] + way + beside;
 }
 
+bool BendJoints::find(Document const& document) {
+  if (found_in_ == document.layers) return false;
+  found_ = joints_of(document);
+  found_in_ = document.layers;
+  return true;
+}
+
+bool BendJoints::is_limb(Document const& document, LayerId layer) {
+  find(document);
+  return std::any_of(found_.begin(), found_.end(),
+                     [&](BendJoint const& joint) { return joint.limb == layer; });
+}
+
 void BendJoints::meet(Document const& document, BendParts const& parts) {
   std::vector<Known> met;
   for (auto const& layer : *document.layers) {
@@ -107,8 +120,9 @@ void BendJoints::meet(Document const& document, BendParts const& parts) {
     return old.count(joint.limb) > 0 && old.count(joint.host) > 0;
   };
   std::erase_if(joints_, [&](BendJoint const& joint) { return !is_old(joint); });
-  for (auto& joint : joints_of(document)) {
-    if (!is_old(joint)) joints_.push_back(std::move(joint));
+  find(document);
+  for (auto const& joint : found_) {
+    if (!is_old(joint)) joints_.push_back(joint);
   }
   known_ = std::move(met);
 }

@@ -32,7 +32,13 @@ Vec2 mouth_place(BendJoint const& joint, int point, BendPart const& host, BendPo
 /// are the same, whatever poses they take.
 class BendJoints {
  public:
-  /// Takes another document. cost: that of joined_runs, where a part is new; else O(parts)
+  /// Finds what joins what in a document, as it lies there. out: false where that is known already
+  /// cost    that of joined_runs
+  bool find(Document const& document);
+  /// Whether a layer joins another one in a document, as it lies there. cost: that of find
+  bool is_limb(Document const& document, LayerId layer);
+
+  /// Takes another document. cost: that of find, where a part is new; else O(parts)
   void meet(Document const& document, BendParts const& parts);
   /// Anchors the joints of parts that have got a mesh since.
   void anchor(BendParts const& parts);
@@ -49,6 +55,8 @@ class BendJoints {
     friend bool operator==(Known const&, Known const&) = default;
   };
 
+  Shared<std::vector<Shared<DocumentLayer>>> found_in_;  // the layers of a document; null: none
+  std::vector<BendJoint> found_;
   std::vector<Known> known_;
   std::vector<BendJoint> joints_;
 };

@@ -68,6 +68,7 @@ bool BendRests::prepare_one(Document const& document, BendParts const& parts,
 bool BendRests::prepare(Document const& document, BendOptions const& options) {
   if (prepare_one(document, parts_, options)) return true;
   joints_.anchor(parts_);
+  if (joints_.find(document)) return true;
   return prepare_anew(document, options);
 }
 

@@ -30,6 +30,9 @@ class BendRests {
   /// cost    that of Bender::make, or of BendJoints::meet
   bool prepare(Document const& document, BendOptions const& options);
 
+  /// Whether a layer joins another one in a document, as it lies there. cost: that of BendJoints::find
+  bool is_limb(Document const& document, LayerId layer) { return joints_.is_limb(document, layer); }
+
   /// A part to be held by hand, ready to be bent. in: the document that was met last
   /// errors  BadInput (no such layer or stroke; hidden or locked), NothingThere (a layer without outlines), those of Bender::make
   Result<BendRoot> root(Document const& document, LayerId layer, BendOptions const& options);

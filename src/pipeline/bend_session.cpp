@@ -130,6 +130,11 @@ bool BendSession::is_prepared(Document const& document, BendOptions const& optio
   return ahead.is_prepared && ahead.layers == document.layers && ahead.options == options;
 }
 
+bool BendSession::is_limb(Document const& document, LayerId layer) {
+  auto& ahead = inside_->ahead;
+  return (ahead.layers ? ahead.rests : inside_->rests).is_limb(document, layer);
+}
+
 std::optional<Error> BendSession::grab(Document const& document, BendGrab const& what,
                                        BendReach reach, BendOptions const& options) {
   release(nullptr);

@@ -51,6 +51,10 @@ class BendSession {
   /// Nothing is left to be prepared. cost: O(1)
   bool is_prepared(Document const& document, BendOptions const& options) const;
 
+  /// Whether a part joins another one, as the document lies there.
+  /// cost    that of joined_runs; O(joints) where the document is prepared
+  bool is_limb(Document const& document, LayerId layer);
+
   /// Begins a drag. document: as it is before the drag.
   /// errors  NothingThere (nothing to hold there); BadInput (no such layer, pin or stroke; locked); those of Bender::make
   /// cost    that of Bender::make the first time a part is grabbed; then O(points)

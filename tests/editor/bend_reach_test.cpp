@@ -24,7 +24,8 @@ Document body_and_limb() {
 }
 
 double share_of(Document const& document, LayerId layer, ToolSettings const& settings = {}) {
-  return bend_share(document, {layer, {}, {}, {400, 300}}, settings);
+  BendSession session;
+  return bend_share(document, {layer, {}, {}, {400, 300}}, settings, session);
 }
 
 TEST(BendReach, OfWhatNothingHoldsIsAShareAndOfWhatIsHeldAll) {
@@ -54,7 +55,8 @@ TEST(BendReach, IsMeasuredByTheLongerSideOfTheBox) {
 TEST(BendReach, OfALineIsMeasuredByTheLine) {
   auto const document = with_loose(empty_document(), line_stroke({{100, 100}, {500, 100}}));
   BendGrab const line = {LayerId::None, StrokeRef{LayerId::None, 0}, {}, {300, 100}};
-  EXPECT_EQ(bend_share(document, line, {}), kUsualBendReach);
+  BendSession session;
+  EXPECT_EQ(bend_share(document, line, {}, session), kUsualBendReach);
   EXPECT_NEAR(*bend_reach(document, line, 0.5).px, 200, 1e-9);
 }
 

@@ -23,8 +23,22 @@ TEST(BendIdle, PreparingEnds) {
   EXPECT_EQ(prepare_all(hand), 5);  // one for each part, and the joints
   hand.drag({kArm, {}, {}, kTipOfArm}, kTipOfArm + Vec2{-40, 120});
   EXPECT_FALSE(hand.session.is_prepared(hand.document, hand.options));
-  EXPECT_EQ(prepare_all(hand), 3);  // the arm as it is now, its joints, and no more
+  EXPECT_EQ(prepare_all(hand), 4);  // what joins, the arm as it is now, its joints, and no more
   EXPECT_EQ(prepare_all(hand), 0);
+}
+
+TEST(BendIdle, WhatJoinsIsFoundInTheDocumentAsItLies) {
+  BendHand hand(jointed_document());
+  auto const begun = hand.document;
+  for (bool const is_prepared : {false, true}) {
+    EXPECT_TRUE(hand.session.is_limb(hand.document, kArm));
+    EXPECT_FALSE(hand.session.is_limb(hand.document, kBody));
+    hand.apply_all({DeleteLayers{{kBody}}});
+    if (is_prepared) prepare_all(hand);
+    EXPECT_FALSE(hand.session.is_limb(hand.document, kArm));
+    EXPECT_TRUE(hand.session.is_limb(hand.document, kHand));
+    hand.document = begun;
+  }
 }
 
 TEST(BendIdle, IdleTimeChangesNothingToTheLastBit) {
