@@ -3,16 +3,21 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <set>
 #include <utility>
 
 #include "assemble/joined_runs.h"
+#include "pipeline/laid_parts.h"
 
 namespace inkflate {
 namespace {
 
 // So many stretches of a mouth: between two of them even a wide one follows its host to half a pixel.
 constexpr std::size_t kStretches = 24;
+
+// A laid part that is farther from where its host has it was moved by itself: by hand, or its pins held it.
+constexpr double kLaidPx = 1;
 
 /// Points of a finely sampled run, both ends among them.
 Polyline coarse(Polyline const& run) {
@@ -36,6 +41,14 @@ std::vector<JoinedRun> runs_of(Document const& document, Among which) {
   return joined_runs(drawing);
 }
 
+BendJoint joint_of(LayerId limb, LayerId host, Polyline points) {
+  BendJoint joint;
+  joint.limb = limb;
+  joint.host = host;
+  joint.points = std::move(points);
+  return joint;
+}
+
 /// The joints of a document: limbs that are seen join parts that are seen.
 std::vector<BendJoint> joints_of(Document const& document) {
   auto const& layers = *document.layers;
@@ -50,13 +63,8 @@ std::vector<BendJoint> joints_of(Document const& document) {
   std::vector<BendJoint> joints;
   for (auto const& run : runs) {
     if (run.points.empty()) continue;
-    joints.push_back({layers[run.limb]->layer.id,
-                      layers[run.host]->layer.id,
-                      coarse(run.points),
-                      {},
-                      {},
-                      {},
-                      {}});
+    joints.push_back(
+        joint_of(layers[run.limb]->layer.id, layers[run.host]->layer.id, coarse(run.points)));
   }
   return joints;
 }
@@ -92,6 +100,25 @@ Vec2 mouth_place(BendJoint const& joint, int point, BendPart const& host, BendPo
   return joint.points[point] + way + beside;
 }
 
+namespace {
+
+/// Whether a laid part lies on its host where it did.
+bool lies_still(BendJoint const& joint, BendParts const& parts) {
+  auto const& limb = *parts.at(joint.limb);
+  auto const& host = *parts.at(joint.host);
+  for (int i = 0; i < std::ssize(joint.points); ++i) {
+    // What has no anchors yet has not moved.
+    auto const place = joint.anchors.empty()
+                           ? joint.points[i]
+                           : place_of(limb.mesh().rest, limb.now().pose, joint.anchors[i]);
+    auto const* const pose = host.is_ready() ? &host.now().pose : nullptr;
+    if (distance(place, mouth_place(joint, i, host, pose)) > kLaidPx) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool BendJoints::find(Document const& document) {
   if (found_in_ == document.layers) return false;
   found_ = joints_of(document);
@@ -111,20 +138,48 @@ void BendJoints::meet(Document const& document, BendParts const& parts) {
     auto const part = parts.find(layer->layer.id);
     if (part != parts.end()) met.push_back({part->first, part->second, layer->layer.is_hidden});
   }
-  if (met == known_) return;
+  if (met == known_ && laid_in_ == document.layers) return;
   std::set<LayerId> old;
   for (auto const& known : known_) {
     if (std::find(met.begin(), met.end(), known) != met.end()) old.insert(known.layer);
   }
-  auto const is_old = [&](BendJoint const& joint) {
-    return old.count(joint.limb) > 0 && old.count(joint.host) > 0;
-  };
-  std::erase_if(joints_, [&](BendJoint const& joint) { return !is_old(joint); });
+  std::erase_if(joints_, [&](BendJoint const& joint) {
+    return old.count(joint.limb) == 0 || old.count(joint.host) == 0;
+  });
+  if (met != known_) join(document, old);
+  lay(document, parts);
+  known_ = std::move(met);
+  laid_in_ = document.layers;
+}
+
+/// Finds the joints of all but the parts that were known before, of which there are all.
+void BendJoints::join(Document const& document, std::set<LayerId> const& old) {
   find(document);
   for (auto const& joint : found_) {
-    if (!is_old(joint)) joints_.push_back(joint);
+    if (old.count(joint.limb) == 0 || old.count(joint.host) == 0) joints_.push_back(joint);
   }
-  known_ = std::move(met);
+}
+
+/// Unlike a mouth, what lies on a part can be moved over it: then it lies where it is now.
+void BendJoints::lay(Document const& document, BendParts const& parts) {
+  auto const first_laid = std::stable_partition(
+      joints_.begin(), joints_.end(), [](BendJoint const& joint) { return !joint.is_laid; });
+  std::vector<BendJoint> before(std::make_move_iterator(first_laid),
+                                std::make_move_iterator(joints_.end()));
+  joints_.erase(first_laid, joints_.end());
+  std::set<LayerId> joined;
+  for (auto const& joint : joints_) joined.insert(joint.limb);
+  for (auto& laid : laid_parts(document, joined)) {
+    auto const known = std::find_if(before.begin(), before.end(), [&](BendJoint const& joint) {
+      return joint.limb == laid.part && joint.host == laid.host && lies_still(joint, parts);
+    });
+    if (known != before.end()) {
+      joints_.push_back(std::move(*known));
+    } else {
+      joints_.push_back(joint_of(laid.part, laid.host, std::move(laid.rim)));
+      joints_.back().is_laid = true;
+    }
+  }
 }
 
 void BendJoints::anchor(BendParts const& parts) {

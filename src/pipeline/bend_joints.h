@@ -14,11 +14,12 @@ namespace inkflate {
 /// The parts of one document by the layers that they are now.
 using BendParts = std::map<LayerId, std::shared_ptr<BendPart>>;
 
-/// A mouth of a part and where on its host it stays.
+/// A mouth of a part, or the rim of one that lies on another (laid_parts.h), and where on its host it stays.
 struct BendJoint {
   LayerId limb = LayerId::None;
   LayerId host = LayerId::None;
-  Polyline points;                  // along the mouth, as it was when the joint was found
+  bool is_laid = false;  // a host takes along what lies on it, but does not hold it against a hand
+  Polyline points;       // along the mouth or rim, as it was when the joint was found
   std::vector<BendAnchor> anchors;  // of the points in the limb's mesh; empty: it has none yet
   std::vector<BendHook> hooks;      // in the host's mesh; empty: it has none yet
   std::vector<Vec2> starts;         // of the hooks: the points but for rounding
@@ -38,7 +39,7 @@ class BendJoints {
   /// Whether a layer joins another one in a document, as it lies there. cost: that of find
   bool is_limb(Document const& document, LayerId layer);
 
-  /// Takes another document. cost: that of find, where a part is new; else O(parts)
+  /// Takes another document. cost: that of find, where a part is new; that of laid_parts where any has changed
   void meet(Document const& document, BendParts const& parts);
   /// Anchors the joints of parts that have got a mesh since.
   void anchor(BendParts const& parts);
@@ -55,10 +56,14 @@ class BendJoints {
     friend bool operator==(Known const&, Known const&) = default;
   };
 
+  void join(Document const& document, std::set<LayerId> const& old);
+  void lay(Document const& document, BendParts const& parts);
+
   Shared<std::vector<Shared<DocumentLayer>>> found_in_;  // the layers of a document; null: none
   std::vector<BendJoint> found_;
   std::vector<Known> known_;
-  std::vector<BendJoint> joints_;
+  Shared<std::vector<Shared<DocumentLayer>>> laid_in_;  // the layers of a document; null: none
+  std::vector<BendJoint> joints_;                       // what is laid comes last
 };
 
 /// The layers that hang on these ones, over as many joints as it takes, nearest first; the layers themselves are not among them.

@@ -99,6 +99,7 @@ bool BendPart::meet(BendSource const& source) {
 
 void BendPart::remember(BendVersion version) {
   now_ = std::move(version);
+  if (bender_ && now_.pose.empty()) now_.pose = rest_pose();
   if (bender_) anchor_pins();
   auto const is_it = [&](BendVersion const& known) { return known.source == now_.source; };
   auto const known = std::find_if(versions_.begin(), versions_.end(), is_it);
@@ -144,9 +145,7 @@ std::optional<Error> BendPart::make_ready(BendOptions const& options) {
     }
   }
   if (fault_) return fault_;
-  auto now = now_;
-  if (now.pose.empty()) now.pose = rest_pose();
-  remember(std::move(now));
+  remember(now_);
   return std::nullopt;
 }
 

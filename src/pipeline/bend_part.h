@@ -37,7 +37,7 @@ struct HeldPin {
 /// A part as one document has it.
 struct BendVersion {
   BendSource source;
-  BendPose pose = {};  // empty: at rest
+  BendPose pose = {};  // empty: at rest, without a mesh yet
   std::vector<HeldPin> pins = {};
   std::optional<BendAnchor> loose_end =
       {};  // the place that was dragged here last, if no pin holds it

@@ -95,11 +95,10 @@ bool BendRests::prepare_anew(Document const& document, BendOptions const& option
 void BendRests::meet(Document const& document, BendRests const& copy) {
   // As at the first time, or meshes would depend on what was bent before them.
   if (parts_.empty()) least_edge_px_ = kLeastEdge * longer_side_px(document);
+  std::set<LayerId> there;
   for (auto const& layer : *document.layers) {
-    if (!has_outline(layer->layer)) {
-      parts_.erase(layer->layer.id);
-      continue;
-    }
+    if (!has_outline(layer->layer)) continue;
+    there.insert(layer->layer.id);
     BendSource const source = {layer, {}};
     auto& part = parts_[layer->layer.id];
     if (part && part->meet(source)) continue;
@@ -108,6 +107,8 @@ void BendRests::meet(Document const& document, BendRests const& copy) {
                            copy.least_edge_px_ == least_edge_px_ && spare->second->meet(source);
     part = has_spare ? spare->second : std::make_shared<BendPart>(source);
   }
+  // Or what somebody duplicates and deletes would pile up.
+  std::erase_if(parts_, [&](auto const& part) { return there.count(part.first) == 0; });
   anew_.reset();
   joints_.meet(document, parts_);
 }

@@ -46,7 +46,7 @@ BendRig::BendRig(std::vector<BendRoot> const& roots, std::vector<LayerId> const&
     }
   }
   layers.insert(layers.end(), hanging.begin(), hanging.end());
-  add_layers(hosts_first(std::move(layers), joints), parts, joints);
+  add_layers(hosts_first(std::move(layers), joints), hanging, parts, joints);
   for (auto const& root : roots) {
     auto const place = std::find_if(parts_.begin(), parts_.end(),
                                     [&](Part const& part) { return part.part == root.part; });
@@ -79,13 +79,14 @@ BendRig::Handle BendRig::handle_at(Part const& part, BendAnchor const& anchor, V
   return handle;
 }
 
-void BendRig::add_layers(std::vector<LayerId> const& layers, BendParts const& parts,
-                         BendJoints const& joints) {
+void BendRig::add_layers(std::vector<LayerId> const& layers, std::vector<LayerId> const& hanging,
+                         BendParts const& parts, BendJoints const& joints) {
   auto const first = std::ssize(parts_);
   for (auto const layer : layers) {
     auto part = part_at_start(parts.at(layer), {});
+    bool const is_held = std::find(hanging.begin(), hanging.end(), layer) == hanging.end();
     for (auto const& joint : joints.all()) {
-      if (joint.limb != layer) continue;
+      if (joint.limb != layer || (joint.is_laid && is_held)) continue;
       auto const place = std::find(layers.begin(), layers.end(), joint.host) - layers.begin();
       bool const is_moving = place < std::ssize(layers);
       // A host that comes after it hangs on it: it cannot hold it.

@@ -86,8 +86,8 @@ class BendRig {
 
   static Part part_at_start(std::shared_ptr<BendPart> part, std::optional<StrokeRef> stroke);
   static Handle handle_at(Part const& part, BendAnchor const& anchor, Vec2 target);
-  void add_layers(std::vector<LayerId> const& layers, BendParts const& parts,
-                  BendJoints const& joints);
+  void add_layers(std::vector<LayerId> const& layers, std::vector<LayerId> const& hanging,
+                  BendParts const& parts, BendJoints const& joints);
   static void add_mouth(Part& part, BendJoint const& joint, BendPart const& host, int moving_host);
   void find_whole();
   int whole_of(Part const& part, int index) const;

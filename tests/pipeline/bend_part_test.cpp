@@ -46,5 +46,15 @@ TEST(BendPart, IsTheSameAfterWhatChangesNoShape) {
   EXPECT_FALSE(part.meet({moved->layers->front(), {}}));
 }
 
+TEST(BendPart, HasAPoseInEveryVersionOnceItIsReady) {
+  auto const document = with_disc(empty_document(), {300, 300}, 100);
+  auto const renamed = *apply(document, RenameLayer{LayerId{1}, "nose"});
+  BendPart part({document.layers->front(), {}});
+  ASSERT_TRUE(part.meet({renamed.layers->front(), {}}));
+  ASSERT_FALSE(part.make_ready({}));
+  ASSERT_TRUE(part.meet({document.layers->front(), {}}));
+  EXPECT_EQ(part.now().pose, part.rest_pose());
+}
+
 }  // namespace
 }  // namespace inkflate
