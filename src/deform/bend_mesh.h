@@ -57,12 +57,22 @@ struct BendHold {
   std::span<char const> is_fixed = {};       // per vertex: it stays where it is; empty: none does
   // Per triangle, >= 1; mode Body: how much stiffer it is than the mesh says. Empty: none is.
   std::span<double const> stiffening = {};
+  // Per vertex, >= 0; mode Body: to be d px from where it is tethered to costs its tether times d^2. Empty: none is tethered.
+  std::span<double const> tethers = {};
+  std::span<Vec2 const> tethered_to = {};  // per vertex, where there are tethers
 };
 
 /// How far a hand moves a shape: as BendHold has it.
 struct BendArea {
-  std::vector<char> is_fixed;
-  std::vector<double> stiffening;
+  std::vector<char> is_fixed = {};
+  std::vector<double> stiffening = {};
+  std::vector<double> tethers = {};
+};
+
+/// What a shape does towards the end of a reach, beyond which it stays.
+enum class ReachEnd {
+  Stiff,  // it bends less than elsewhere: the same shape for the same targets, wherever it lay before
+  Soft,  // mode Body: it gives way, the less the nearer to the end, so that it bends in a wide round also where it is dragged far
 };
 
 /// What a solver has done.

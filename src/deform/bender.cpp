@@ -166,13 +166,17 @@ std::optional<BendAnchor> Bender::under(BendPose const& pose, Vec2 canvas) const
   return std::nullopt;
 }
 
-BendArea Bender::within_reach(BendAnchor const& from, double reach_px) const {
+BendArea Bender::within_reach(BendAnchor const& from, double reach_px, ReachEnd end) const {
   auto const& mesh = inside_->meshed.mesh.rest;
   auto const ways_px = ways_inside(mesh, from);
   BendArea area;
   for (double const px : ways_px) area.is_fixed.push_back(px > reach_px ? 1 : 0);
   free_hangers_on(mesh, ways_px, area.is_fixed);
-  area.stiffening = stiffening_within(mesh, ways_px, reach_px);
+  if (end == ReachEnd::Soft) {
+    area.tethers = tethers_within(inside_->meshed.mesh, ways_px, reach_px);
+  } else {
+    area.stiffening = stiffening_within(mesh, ways_px, reach_px);
+  }
   return area;
 }
 

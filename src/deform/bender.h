@@ -47,9 +47,10 @@ class Bender {
   std::optional<BendAnchor> under(BendPose const& pose, Vec2 canvas) const;
 
   /// How far a hand at a place moves the shape: all that is farther than this, measured inside the rest shape, stays, but for small
-  /// ends that hang on what is nearer (deform/hangers_on.h); towards there the shape is stiffer, so that it bends without a kink.
+  /// ends that hang on what is nearer (deform/hangers_on.h); towards there the shape is stiffer or held, so that it bends without a kink.
   /// cost    O(n log n)
-  BendArea within_reach(BendAnchor const& from, double reach_px) const;
+  BendArea within_reach(BendAnchor const& from, double reach_px,
+                        ReachEnd end = ReachEnd::Stiff) const;
 
   /// Goes on from a pose by at most `steps` steps of the mode's solver: BodySolver::step, WireSolver::step.
   BendProgress step(BendPose& pose, BendHold const& hold, int steps);

@@ -57,6 +57,9 @@ BodySystem::BodySystem(BendMesh const& mesh)
 }
 
 void BodySystem::stiffen(BendHold const& hold) {
+  tethers_.assign(hold.tethers.begin(), hold.tethers.end());
+  tethered_to_.assign(hold.tethered_to.begin(), hold.tethered_to.end());
+  CHECK(tethers_.empty() || tethered_to_.size() == tethers_.size(), "a place for each tether");
   bool const is_gripped_anew = grips_.update(hold.handles);
   bool const is_same = std::equal(hold.stiffening.begin(), hold.stiffening.end(),
                                   stiffening_.begin(), stiffening_.end());
@@ -80,6 +83,9 @@ double BodySystem::energy(std::span<Vec2 const> pose, std::span<Pull const> pull
   }
   for (auto const& pull : pulls) {
     sum += pull_energy(pull, place_of(mesh_->rest, pose, pull.anchor), mesh_->edge_px);
+  }
+  for (std::size_t v = 0; v < tethers_.size(); ++v) {
+    sum += tethers_[v] * squared_norm(pose[v] - tethered_to_[v]);
   }
   return sum;
 }
@@ -121,6 +127,7 @@ bool BodySystem::factor(std::span<Vec2 const> pose, std::span<Pull const> pulls,
     add_triangle(t, model);
   }
   for (auto const& pull : pulls) add_pull(pull, pose);
+  add_tethers(pose);
   for (int const start : diagonal_) {
     hessian_.numbers()[start] += damping;
     hessian_.numbers()[start + 3] += damping;
@@ -170,6 +177,15 @@ void BodySystem::add_pull(Pull const& pull, std::span<Vec2 const> pose) {
     gradient_[mesh_->rest.triangles[pull.anchor.triangle][i]] += slope * weights[i];
     add_block(slots.diagonal[i], 2 * pull.strength * weights[i] * weights[i]);
     add_block(slots.beside[i], 2 * pull.strength * weights[i] * weights[(i + 1) % 3]);
+  }
+}
+
+void BodySystem::add_tethers(std::span<Vec2 const> pose) {
+  auto const numbers = hessian_.numbers();
+  for (std::size_t v = 0; v < tethers_.size(); ++v) {
+    gradient_[v] += (pose[v] - tethered_to_[v]) * (2 * tethers_[v]);
+    numbers[diagonal_[v]] += 2 * tethers_[v];
+    numbers[diagonal_[v] + 3] += 2 * tethers_[v];
   }
 }
 

@@ -19,7 +19,8 @@ class BodySystem {
   /// mesh: has to outlive this
   explicit BodySystem(BendMesh const& mesh);
 
-  /// Makes the shape stiffer around the handles that have a grip, and as the hold says.
+  /// Takes over what the hold says but for its handles and what is fixed: the shape is stiffer around handles that have a grip and where
+  /// it is to be, and tethered.
   void stiffen(BendHold const& hold);
 
   /// Infinite where a triangle is turned over.
@@ -51,6 +52,7 @@ class BodySystem {
                                     std::span<char const> is_fixed);
   void add_triangle(int triangle, DirichletModel const& model);
   void add_pull(Pull const& pull, std::span<Vec2 const> pose);
+  void add_tethers(std::span<Vec2 const> pose);
   void hold_fixed(std::span<char const> is_fixed);
 
   BendMesh const* mesh_;
@@ -58,6 +60,8 @@ class BodySystem {
   Grips grips_;
   std::vector<double> stiffening_;  // of the hold that was last
   std::vector<double> weights_;     // of the triangles without any of that
+  std::vector<double> tethers_;     // of the hold that was last
+  std::vector<Vec2> tethered_to_;
   BlockCholesky hessian_;
   std::vector<Slots> slots_;
   std::vector<int> diagonal_;  // per vertex

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deform/reach.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -13,9 +15,15 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-// At the end of a reach, and the share of it from which on it is stiffer.
+// At the end of a reach, and the share of it from which on it is stiffer or held.
 constexpr double kStiffestEnd = 6;
 constexpr double kEndShare = 0.5;
+
+// Twice the tether half way through what is held, where area and reach are 1. Less lets more of the shape go along (with a thirtieth there is
+// a kink at the end again: 18 degrees instead of 11 for the flat foot of docs/algorithms/ride.md), twice as much bends it more sharply
+// (13). At the very end a tether is a hundred times as strong, so that there is no corner to what stays.
+constexpr double kTether = 320;
+constexpr double kSlackAtEnd = 0.01;
 
 /// Where the last straight stretch of a way starts.
 struct Corner {
@@ -121,6 +129,24 @@ std::vector<double> stiffening_within(FlatMesh const& mesh, std::span<double con
     stiffening.push_back(1 + (kStiffestEnd - 1) * end * end);
   }
   return stiffening;
+}
+
+std::vector<double> tethers_within(BendMesh const& mesh, std::span<double const> ways_px,
+                                   double reach_px) {
+  std::vector<double> tethers(ways_px.size(), 0);
+  auto const& rest = mesh.rest;
+  for (std::size_t t = 0; t < rest.triangles.size(); ++t) {
+    auto const& [a, b, c] = rest.triangles[t];
+    double const area = cross(rest.points[b] - rest.points[a], rest.points[c] - rest.points[a]) / 2;
+    for (int const v : {a, b, c}) tethers[v] += mesh.stiffness[t] * area / 3;
+  }
+  for (std::size_t v = 0; v < tethers.size(); ++v) {
+    double const share = ways_px[v] / reach_px;
+    double const end = share > 1 ? 0 : std::max(0.0, (share - kEndShare) / (1 - kEndShare));
+    double const tether = kTether * end * end / (1 + kSlackAtEnd - end);
+    tethers[v] = end > 0 ? tether * (tethers[v] / reach_px / reach_px) : 0;
+  }
+  return tethers;
 }
 
 }  // namespace inkflate

@@ -22,4 +22,11 @@ std::vector<double> ways_inside(FlatMesh const& mesh, BendAnchor const& from);
 std::vector<double> stiffening_within(FlatMesh const& mesh, std::span<double const> ways_px,
                                       double reach_px);
 
+/// How much each vertex is held where it is towards the end of a reach, as BendHold::tethers has it: in proportion to the mesh it stands for.
+///
+/// in      ways_px: of each vertex, as ways_inside gives them; reach_px > 0
+/// out     0 up to half of the reach, growing without a step to its end; 0 for all that is beyond
+std::vector<double> tethers_within(BendMesh const& mesh, std::span<double const> ways_px,
+                                   double reach_px);
+
 }  // namespace inkflate

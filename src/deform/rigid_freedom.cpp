@@ -60,8 +60,10 @@ void RigidFreedom::set_hold(BendHold const& hold) {
     ++piece.handle_count;
     piece.target = handle.target;
   }
-  for (int v = 0; v < std::ssize(hold.is_fixed); ++v) {
-    if (!hold.is_fixed[v]) continue;
+  for (int v = 0; v < static_cast<int>(std::ssize(piece_of_)); ++v) {
+    bool const is_fixed = !hold.is_fixed.empty() && hold.is_fixed[v];
+    bool const is_tethered = !hold.tethers.empty() && hold.tethers[v] > 0;
+    if (!is_fixed && !is_tethered) continue;
     hold_at(piece_of_[v], vertex_anchors_[v]);
     pieces_[piece_of_[v]].handle_count = 0;
   }

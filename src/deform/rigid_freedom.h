@@ -8,7 +8,7 @@
 
 namespace inkflate {
 
-/// What nothing holds of the pieces of a mesh: a piece without any handle or fixed vertex can be moved and turned at no cost, one that is held at
+/// What nothing holds of the pieces of a mesh: a piece without any handle, tether or fixed vertex can be moved and turned at no cost, one that is held at
 /// a single place can be turned about it. The energy does not say where such a piece shall be; this does: where it was.
 class RigidFreedom {
  public:

@@ -108,8 +108,9 @@ void change_bend_reach(EditorTurn& turn, double factor) {
   auto& settings = state.view.settings;
   auto* const hand = std::get_if<ToolBending>(&state.tool);
   auto const& document = state.history.document();
-  double const before = hand == nullptr ? settings.bend_reach.value_or(kUsualBendReach)
-                                        : bend_share(document, hand->what, settings, state.bend);
+  double const before = hand == nullptr
+                            ? settings.bend_reach.value_or(usual_bend_reach(settings.bend_mode))
+                            : bend_share(document, hand->what, settings, state.bend);
   double const share = bounded(before * factor, ToolSettings::kLeastBendReach, 1);
   settings.bend_reach = share;
   turn.changes.is_state_changed = turn.changes.is_scene_changed = true;

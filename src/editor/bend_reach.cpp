@@ -33,10 +33,12 @@ Rect box_of(Document const& document, BendGrab const& what) {
 
 }  // namespace
 
+double usual_bend_reach(BendMode mode) { return mode == BendMode::Wire ? 0.3 : 0.6; }
+
 double bend_share(Document const& document, BendGrab const& what, ToolSettings const& settings,
                   BendSession& session) {
   if (settings.bend_reach) return *settings.bend_reach;
-  return is_held(document, what.layer, session) ? 1 : kUsualBendReach;
+  return is_held(document, what.layer, session) ? 1 : usual_bend_reach(settings.bend_mode);
 }
 
 BendReach bend_reach(Document const& document, BendGrab const& what, double share) {

@@ -8,8 +8,10 @@
 namespace inkflate {
 
 /// How far a drag reaches where nothing holds a part, as a share of the longer side of its box: a hand bends a limb or a cheek, and the
-/// rest stays.
-inline constexpr double kUsualBendReach = 0.3;
+/// rest stays. Half of it follows freely.
+///
+/// out     of mode Wire half as much, as all that it reaches follows
+double usual_bend_reach(BendMode mode);
 
 /// How far a drag reaches as a share of what it holds, 0.02 .. 1; 1: all of it. As the person has set it; else all of a part that pins or
 /// joints hold, and a share of any other and of a line.

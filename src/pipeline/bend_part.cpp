@@ -116,9 +116,10 @@ BendAnchor BendPart::held_at(Vec2 place, bool is_inside) const {
   return under ? *under : nearest(now_.pose, place);
 }
 
-void BendPart::leave_loose(BendAnchor const& place) {
+void BendPart::leave_loose(BendAnchor const& place, BendPose from) {
   auto version = now_;
   version.loose_end = place;
+  version.loose_from = std::move(from);
   remember(std::move(version));
 }
 

@@ -40,7 +40,8 @@ struct BendVersion {
   BendPose pose = {};  // empty: at rest, without a mesh yet
   std::vector<HeldPin> pins = {};
   std::optional<BendAnchor> loose_end =
-      {};  // the place that was dragged here last, if no pin holds it
+      {};                    // the place that was dragged here last, if no pin holds it
+  BendPose loose_from = {};  // the pose from which it was dragged; where there is a loose end
 };
 
 /// A layer or stroke at rest, its mesh once it is bent, and the poses in which documents have had it.
@@ -75,8 +76,8 @@ class BendPart {
 
   /// A document has it so: what it is now.
   void remember(BendVersion version);
-  /// What it is now came of dragging this place, which no pin holds.
-  void leave_loose(BendAnchor const& place);
+  /// What it is now came of dragging this place, which no pin holds, from a pose.
+  void leave_loose(BendAnchor const& place, BendPose from);
   /// Whether that is what came of dragging another place than this, which no pin holds either; none: a pin does.
   bool is_left_loose(std::optional<Vec2> place) const;
   /// The part whose rest is what this one is now; the same one for as long as this one keeps its shape.

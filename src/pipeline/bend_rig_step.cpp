@@ -34,6 +34,11 @@ double farthest(BendPose const& a, BendPose const& b) {
   return std::sqrt(most);
 }
 
+bool stays_somewhere(BendArea const& area) {
+  return std::any_of(area.is_fixed.begin(), area.is_fixed.end(), [](char is) { return is != 0; }) ||
+         std::any_of(area.tethers.begin(), area.tethers.end(), [](double k) { return k > 0; });
+}
+
 }  // namespace
 
 /// Which parts move as a whole, and with which one: those that are held by a single handle, and what hangs on such a part alone.
@@ -42,9 +47,7 @@ void BendRig::find_whole() {
 }
 
 int BendRig::whole_of(Part const& part, int index) const {
-  if (std::find(part.area.is_fixed.begin(), part.area.is_fixed.end(), 1) !=
-      part.area.is_fixed.end())
-    return -1;
+  if (stays_somewhere(part.area)) return -1;
   if (part.mouths.empty()) return part.own_handles == 1 ? index : -1;
   if (part.own_handles > 0 || part.mouths.front().host < 0) return -1;
   int const whole = parts_[part.mouths.front().host].whole_with;
@@ -134,6 +137,10 @@ void BendRig::bend(Part& part, int steps) {
   part.is_moved = true;
   bool const hangs = part.own_handles == 0 && part.area.is_fixed.empty();
   if (hangs) go_along(part);
+  auto const& area = part.area;
+  // What is dragged on comes back to where it was before the first of the drags.
+  auto const& known = part.part->now();
+  auto const& from = known.loose_end ? known.loose_from : part.start;
   auto& bender = part.part->bender();
   int const iterations = part.part->options().mode == BendMode::Wire ? kWireIterations : 1;
   for (int i = 0; i < steps && !part.is_settled; ++i) {
@@ -144,8 +151,8 @@ void BendRig::bend(Part& part, int steps) {
       handles.push_back({handle.anchor, handle.staged, {}, is_by_hand ? part.grip_px : 0});
       if (handle.turn_rad) handles.back().turn_rad = handle.staged_rad;
     }
-    auto const progress =
-        bender.step(part.pose, {handles, part.area.is_fixed, part.area.stiffening}, iterations);
+    auto const progress = bender.step(
+        part.pose, {handles, area.is_fixed, area.stiffening, area.tethers, from}, iterations);
     part.is_settled = has_arrived && progress.is_settled;
   }
 }

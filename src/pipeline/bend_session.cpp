@@ -64,6 +64,7 @@ struct BendSession::Inside {
   BendAnchor anchor;      // of the handle
   Vec2 from_place;        // from where the hand took it to where the handle is
   bool is_loose = false;  // no pin holds the place
+  BendPose loose_from;    // then: where the part was before it was dragged by this place
   int idle_rounds = 0;    // since the hand moved
 
   /// A person may have as much idle time as there is, or none: it leaves no trace in the rests, which are what grabs make of them. So it
@@ -90,6 +91,7 @@ struct BendSession::Inside {
                                             : rests.root(document, what.layer, options);
     if (!root) return root.error();
     part = root->part;
+    loose_from = part->now().loose_end ? part->now().loose_from : part->now().pose;
     auto const& pins = part->now().pins;
     if (what.pin && (*what.pin < 0 || *what.pin >= std::ssize(pins))) {
       return bad_input("the part has no such pin");
@@ -107,7 +109,10 @@ struct BendSession::Inside {
   }
 
   void set_reach(BendReach reach) {
-    rig->keep_within(reach.px ? part->bender().within_reach(anchor, *reach.px) : BendArea{});
+    // Of a pin that is dragged again the shape has to be that of its new place alone.
+    bool const is_soft = is_loose && options.mode == BendMode::Body;
+    auto const end = is_soft ? ReachEnd::Soft : ReachEnd::Stiff;
+    rig->keep_within(reach.px ? part->bender().within_reach(anchor, *reach.px, end) : BendArea{});
   }
 
   bool is_settled() const { return idle_rounds >= kMostIdleRounds || rig->is_settled(); }
@@ -188,7 +193,7 @@ std::vector<Command> BendSession::commands() const {
 void BendSession::release(Document const* result) {
   if (inside_->rig && result != nullptr) {
     inside_->rig->remember(*result);
-    if (inside_->is_loose) inside_->part->leave_loose(inside_->anchor);
+    if (inside_->is_loose) inside_->part->leave_loose(inside_->anchor, inside_->loose_from);
   }
   inside_->rig.reset();
   inside_->part.reset();

@@ -98,6 +98,19 @@ TEST(BodySolver, FixedVerticesStayToTheLastBit) {
   EXPECT_LT(distance(place_of(mesh.rest, pose, pull[0].anchor), pull[0].target), 0.5);
 }
 
+TEST(BodySolver, WhatIsTetheredGoesToWhereItsTethersAre) {
+  auto const mesh = figure_mesh(100);
+  BodySolver solver(mesh);
+  auto pose = mesh.rest.points;
+  auto there = pose;
+  for (auto& p : there) p += {30, -40};
+  std::vector<double> const tethers(pose.size(), 0.5);
+  BendHold const hold = {{}, {}, {}, tethers, there};
+  EXPECT_NEAR(solver.energy(pose, hold), 0.5 * 50 * 50 * std::size(pose), 1e-6);
+  solver.step(pose, hold, 5);
+  EXPECT_LT(largest_distance(pose, there), 1e-3);
+}
+
 TEST(BodySolver, WithEveryVertexFixedNothingMoves) {
   auto const mesh = figure_mesh(100);
   BodySolver solver(mesh);

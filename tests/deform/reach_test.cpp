@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "deform/body_solver.h"
 #include "geometry/trig.h"
 #include "mesh/mesh_region.h"
+#include "support/bend_meshes.h"
 #include "support/regions.h"
 
 namespace inkflate {
@@ -111,6 +113,96 @@ TEST(StiffeningWithin, GrowsTowardsTheEndOfTheReachAndStaysSoBeyond) {
   EXPECT_GT(stiffening[1], 1);
   EXPECT_GT(stiffening[2], stiffening[1]);
   EXPECT_EQ(stiffening_within(mesh, ways_px, 200)[2], stiffening[2]);
+}
+
+TEST(TethersWithin, GrowFromHalfOfTheReachToItsEndAndHoldNothingBeyond) {
+  auto const mesh = support::bar_mesh(400, 40, 40, 4);
+  auto const ways = ways_inside(mesh.rest, support::anchor_near(mesh, {0, 0}));
+  auto const tethers = tethers_within(mesh, ways, 300);
+  // Inside the bar each vertex stands for as much of it: 10 x 10 px.
+  double before = 0;
+  for (int x = 10; x < 400; x += 10) {
+    double const tether = tethers[support::nearest_vertex(mesh.rest, {1.0 * x, 0})];
+    if (x <= 150 || x > 300) {
+      EXPECT_EQ(tether, 0) << x;
+    } else {
+      EXPECT_GT(tether, before) << x;
+      before = tether;
+    }
+  }
+}
+
+TEST(TethersWithin, HoldADrawingOfAnotherSizeAlike) {
+  auto mesh = support::bar_mesh(400, 40, 40, 4);
+  auto const from = support::anchor_near(mesh, {0, 0});
+  auto const tethers = tethers_within(mesh, ways_inside(mesh.rest, from), 300);
+  for (auto& p : mesh.rest.points) p = p * 8;
+  EXPECT_EQ(tethers_within(mesh, ways_inside(mesh.rest, from), 2400), tethers);
+}
+
+constexpr double kReachPx = 480;
+
+/// What holds the bar when its tip is dragged.
+struct Held {
+  BendMesh mesh = support::bar_mesh(800, 100, 160, 20);
+  BendAnchor tip = support::anchor_near(mesh, {800, 0});
+  std::vector<double> ways = ways_inside(mesh.rest, tip);
+  std::vector<char> is_fixed = {};
+  std::vector<double> stiffening = {};
+  std::vector<double> tethers = {};
+
+  explicit Held(double reach_px) {
+    for (double const px : ways) is_fixed.push_back(px > reach_px ? 1 : 0);
+  }
+
+  /// Its tip goes there and the bar comes to rest.
+  void drag(BendPose& pose, Vec2 to) const {
+    BodySolver solver(mesh);
+    BendHandle const handle = {tip, to, {}, 28};
+    solver.step(pose, {{&handle, 1}, is_fixed, stiffening, tethers, mesh.rest.points}, 60);
+  }
+
+  /// By how much a side of the bar turns within 30 px at most, but next to the hand; degrees.
+  double sharpest_turn(BendPose const& pose) const {
+    double most = 0;
+    for (double const y : {-50.0, 50.0}) {
+      auto const place = [&](int x) {
+        return pose[support::nearest_vertex(mesh.rest, {1.0 * x, y})];
+      };
+      for (int x = 100; x < 700; x += 5) {
+        Vec2 const before = normalized(place(x - 10) - place(x - 15));
+        Vec2 const after = normalized(place(x + 15) - place(x + 10));
+        most = std::max(most, acos_of(dot(before, after)) * 180 / kPi);
+      }
+    }
+    return most;
+  }
+};
+
+TEST(TethersWithin, BendInARoundWhatIsDraggedAsFarAsItFollowsFreely) {
+  Held soft(kReachPx);
+  soft.tethers = tethers_within(soft.mesh, soft.ways, kReachPx);
+  Held stiff(kReachPx / 2);
+  stiff.stiffening = stiffening_within(stiff.mesh.rest, stiff.ways, kReachPx / 2);
+  for (double const far : {0.6, 1.0, 1.5}) {
+    Vec2 const to = {800, -far * kReachPx / 2};
+    auto round = soft.mesh.rest.points;
+    soft.drag(round, to);
+    auto kinked = stiff.mesh.rest.points;
+    stiff.drag(kinked, to);
+    EXPECT_LT(2 * soft.sharpest_turn(round), stiff.sharpest_turn(kinked)) << far;
+    EXPECT_LT(soft.sharpest_turn(round), 15) << far;
+  }
+}
+
+TEST(TethersWithin, LetGoOfNothingThatIsDraggedBack) {
+  Held soft(kReachPx);
+  soft.tethers = tethers_within(soft.mesh, soft.ways, kReachPx);
+  auto pose = soft.mesh.rest.points;
+  soft.drag(pose, {760, -200});
+  EXPECT_GT(support::largest_distance(pose, soft.mesh.rest.points), 100);
+  soft.drag(pose, {800, 0});
+  EXPECT_LT(support::largest_distance(pose, soft.mesh.rest.points), 1e-4);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(WireSystem, EqualsDirectElimination) {
   for (int v = 0; v < 10; ++v) is_fixed[v] = is_fixed[v + 40] = 1;
   auto const handles = three_handles(mesh);
   auto const without_first = std::span(handles).subspan(1);
-  for (BendHold const hold : {BendHold{handles, {}}, BendHold{without_first, is_fixed}}) {
+  for (BendHold const& hold : {BendHold{handles, {}}, BendHold{without_first, is_fixed}}) {
     WireSolver solver(mesh);
     auto pose = mesh.rest.points;
     solver.step(pose, hold, 1);

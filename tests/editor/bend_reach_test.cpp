@@ -30,7 +30,7 @@ double share_of(Document const& document, LayerId layer, ToolSettings const& set
 
 TEST(BendReach, OfWhatNothingHoldsIsAShareAndOfWhatIsHeldAll) {
   auto const document = body_and_limb();
-  EXPECT_EQ(share_of(document, kBody), kUsualBendReach);
+  EXPECT_EQ(share_of(document, kBody), usual_bend_reach(BendMode::Body));
   EXPECT_EQ(share_of(document, kLimb), 1) << "its mouth holds it";
   auto const pinned = with_changed(document, kBody, [](Layer& layer) {
     layer.bend_pins = {{{200, 300}}};
@@ -56,7 +56,7 @@ TEST(BendReach, OfALineIsMeasuredByTheLine) {
   auto const document = with_loose(empty_document(), line_stroke({{100, 100}, {500, 100}}));
   BendGrab const line = {LayerId::None, StrokeRef{LayerId::None, 0}, {}, {300, 100}};
   BendSession session;
-  EXPECT_EQ(bend_share(document, line, {}, session), kUsualBendReach);
+  EXPECT_EQ(bend_share(document, line, {}, session), usual_bend_reach(BendMode::Body));
   EXPECT_NEAR(*bend_reach(document, line, 0.5).px, 200, 1e-9);
 }
 

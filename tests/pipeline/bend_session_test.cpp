@@ -170,6 +170,16 @@ TEST(BendSession, AnotherReachInTheMidstOfADragGivesWhatItWouldHaveGivenFromTheS
   EXPECT_LT(outline_distance(at_once.document, changed.document, kBody), 0.1);
 }
 
+TEST(BendSession, APlaceThatIsDraggedBackInAnotherGestureLeavesNoTraceWithinItsReach) {
+  BendHand hand(jointed_document());
+  auto const before = hand.document;
+  Vec2 const there = kTopOfBody + Vec2{40, -120};
+  hand.drag(body_at(kTopOfBody), there, {300.0});
+  EXPECT_GT(outline_distance(before, hand.document, kBody), 100);
+  hand.drag(body_at(there), kTopOfBody, {300.0});
+  EXPECT_LT(outline_distance(before, hand.document, kBody), 0.01);
+}
+
 TEST(BendSession, AGestureThatGoesNowhereIsNoCommand) {
   BendHand hand(jointed_document());
   hand.set_pins(kBody, {{kBottomOfBody}});
@@ -224,6 +234,7 @@ TEST(BendSession, AnySequenceOfCallsIsSafe) {
   session.settle();
   session.finish();
   session.set_reach({10.0});
+  session.set_reach({1e-200});
   session.release(&document);
   session.forget();
   EXPECT_TRUE(session.commands().empty());
