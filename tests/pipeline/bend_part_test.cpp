@@ -37,7 +37,7 @@ TEST(BendPart, IsTheSameAfterWhatChangesNoShape) {
   BendPart part({document.layers->front(), {}});
   for (Command const& command : std::vector<Command>{RenameLayer{LayerId{1}, "nose"},
                                                      SetBendPins{LayerId{1}, {{{200, 300}}}},
-                                                     SetThickness{{LayerId{1}}, 1.5}}) {
+                                                     SetThickness{LayerId{1}, 1.5}}) {
     auto const next = apply(document, command);
     ASSERT_TRUE(next) << next.error().message;
     EXPECT_TRUE(part.meet({next->layers->front(), {}}));
