@@ -49,6 +49,8 @@ struct BendHandle {
   std::optional<double> turn_rad = {};
   /// >= 0; mode Body: so far around it the shape is stiffer, as if a fingertip held it and not a needle.
   double grip_px = 0;
+  /// > 0; mode Body: of how firmly a handle usually holds. One of far less asks the shape rather than bends it.
+  double firmness = 1;
 };
 
 /// What holds a shape while it is bent.

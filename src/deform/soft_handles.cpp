@@ -26,7 +26,7 @@ SoftHandles::SoftHandles(BendMesh const& mesh, std::span<BendHandle const> handl
   for (auto const& handle : handles) {
     // What is held by a grip resists the more.
     double const strength = handle.grip_px > 0 ? strength_ * Grips::kStiffest : strength_;
-    places_.push_back({handle.anchor, handle.target, strength});
+    places_.push_back({handle.anchor, handle.target, handle.firmness * strength});
   }
   add_turned(handles);
 }

@@ -58,7 +58,7 @@ WireSystem& WireSolver::Inside::system(std::span<char const> is_fixed) {
 std::vector<WireConstraint> WireSolver::Inside::constraints(
     std::span<BendHandle const> handles) const {
   std::vector<WireConstraint> result;
-  for (auto const& [anchor, target, turn_rad, grip_px] : handles) {
+  for (auto const& [anchor, target, turn_rad, grip_px, firmness] : handles) {
     auto const& corners = mesh.rest.triangles[anchor.triangle];
     if (!turn_rad) {
       result.push_back({corners, anchor.weights, target});

@@ -16,9 +16,6 @@ namespace {
 // So many stretches of a mouth: between two of them even a wide one follows its host to half a pixel.
 constexpr std::size_t kStretches = 24;
 
-// A laid part that is farther from where its host has it was moved by itself: by hand, or its pins held it.
-constexpr double kLaidPx = 1;
-
 /// Points of a finely sampled run, both ends among them.
 Polyline coarse(Polyline const& run) {
   Polyline points;
@@ -90,6 +87,11 @@ void anchor_limb(BendJoint& joint, BendPart const& limb) {
   }
 }
 
+/// Whether nothing but its host has moved a laid part since.
+bool lies_still(BendJoint const& joint, BendPart const& limb) {
+  return limb.now().is_carried || limb.now().source.layer == joint.laid_as;
+}
+
 }  // namespace
 
 Vec2 mouth_place(BendJoint const& joint, int point, BendPart const& host, BendPose const* pose) {
@@ -99,25 +101,6 @@ Vec2 mouth_place(BendJoint const& joint, int point, BendPart const& host, BendPo
   auto const way = place_of(host.mesh(), *pose, joint.hooks[point]) - joint.starts[point];
   return joint.points[point] + way + beside;
 }
-
-namespace {
-
-/// Whether a laid part lies on its host where it did.
-bool lies_still(BendJoint const& joint, BendParts const& parts) {
-  auto const& limb = *parts.at(joint.limb);
-  auto const& host = *parts.at(joint.host);
-  for (int i = 0; i < std::ssize(joint.points); ++i) {
-    // What has no anchors yet has not moved.
-    auto const place = joint.anchors.empty()
-                           ? joint.points[i]
-                           : place_of(limb.mesh().rest, limb.now().pose, joint.anchors[i]);
-    auto const* const pose = host.is_ready() ? &host.now().pose : nullptr;
-    if (distance(place, mouth_place(joint, i, host, pose)) > kLaidPx) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 bool BendJoints::find(Document const& document) {
   if (found_in_ == document.layers) return false;
@@ -163,7 +146,7 @@ void BendJoints::join(Document const& document, std::set<LayerId> const& old) {
 /// Unlike a mouth, what lies on a part can be moved over it: then it lies where it is now.
 void BendJoints::lay(Document const& document, BendParts const& parts) {
   auto const first_laid = std::stable_partition(
-      joints_.begin(), joints_.end(), [](BendJoint const& joint) { return !joint.is_laid; });
+      joints_.begin(), joints_.end(), [](BendJoint const& joint) { return !joint.is_laid(); });
   std::vector<BendJoint> before(std::make_move_iterator(first_laid),
                                 std::make_move_iterator(joints_.end()));
   joints_.erase(first_laid, joints_.end());
@@ -171,13 +154,14 @@ void BendJoints::lay(Document const& document, BendParts const& parts) {
   for (auto const& joint : joints_) joined.insert(joint.limb);
   for (auto& laid : laid_parts(document, joined)) {
     auto const known = std::find_if(before.begin(), before.end(), [&](BendJoint const& joint) {
-      return joint.limb == laid.part && joint.host == laid.host && lies_still(joint, parts);
+      return joint.limb == laid.part && joint.host == laid.host &&
+             lies_still(joint, *parts.at(joint.limb));
     });
     if (known != before.end()) {
       joints_.push_back(std::move(*known));
     } else {
       joints_.push_back(joint_of(laid.part, laid.host, std::move(laid.rim)));
-      joints_.back().is_laid = true;
+      joints_.back().laid_as = layer_of(document, laid.part);
     }
   }
 }

@@ -18,12 +18,15 @@ using BendParts = std::map<LayerId, std::shared_ptr<BendPart>>;
 struct BendJoint {
   LayerId limb = LayerId::None;
   LayerId host = LayerId::None;
-  bool is_laid = false;  // a host takes along what lies on it, but does not hold it against a hand
-  Polyline points;       // along the mouth or rim, as it was when the joint was found
+  Polyline points;                  // along the mouth or rim, as it was when the joint was found
   std::vector<BendAnchor> anchors;  // of the points in the limb's mesh; empty: it has none yet
   std::vector<BendHook> hooks;      // in the host's mesh; empty: it has none yet
   std::vector<Vec2> starts;         // of the hooks: the points but for rounding
   std::vector<Vec2> beside;         // from the points to the limb's places: a hair
+  Shared<DocumentLayer> laid_as;  // the limb's layer as it was found lying; null: it joins the host
+
+  /// A host takes along what lies on it, but does not hold it against a hand.
+  bool is_laid() const { return laid_as != nullptr; }
 };
 
 /// Where the host has a point of the mouth while it lies in this pose; null: as it was when the joint was found.

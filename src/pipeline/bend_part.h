@@ -42,6 +42,7 @@ struct BendVersion {
   std::optional<BendAnchor> loose_end =
       {};                    // the place that was dragged here last, if no pin holds it
   BendPose loose_from = {};  // the pose from which it was dragged; where there is a loose end
+  bool is_carried = false;   // what it hangs on or lies on has brought it there, and no hand
 };
 
 /// A layer or stroke at rest, its mesh once it is bent, and the poses in which documents have had it.

@@ -86,7 +86,7 @@ void BendRig::add_layers(std::vector<LayerId> const& layers, std::vector<LayerId
     auto part = part_at_start(parts.at(layer), {});
     bool const is_held = std::find(hanging.begin(), hanging.end(), layer) == hanging.end();
     for (auto const& joint : joints.all()) {
-      if (joint.limb != layer || (joint.is_laid && is_held)) continue;
+      if (joint.limb != layer || (joint.is_laid() && is_held)) continue;
       auto const place = std::find(layers.begin(), layers.end(), joint.host) - layers.begin();
       bool const is_moving = place < std::ssize(layers);
       // A host that comes after it hangs on it: it cannot hold it.
@@ -193,7 +193,8 @@ std::vector<Command> BendRig::commands() const {
 }
 
 void BendRig::remember(Document const& result) const {
-  for (auto const& part : parts_) {
+  for (int i = 0; i < std::ssize(parts_); ++i) {
+    auto const& part = parts_[i];
     if (part.pose == part.start) continue;
     BendSource source;
     if (part.stroke) {
@@ -201,9 +202,10 @@ void BendRig::remember(Document const& result) const {
     } else {
       source.layer = layer_of(result, part.part->now().source.layer->layer.id);
     }
-    if (part.part->is_bent_to(source, part.pose)) {
-      part.part->remember({source, part.pose, pins_after(part)});
-    }
+    if (!part.part->is_bent_to(source, part.pose)) continue;
+    BendVersion version = {source, part.pose, pins_after(part)};
+    version.is_carried = std::find(roots_.begin(), roots_.end(), i) == roots_.end();
+    part.part->remember(std::move(version));
   }
 }
 

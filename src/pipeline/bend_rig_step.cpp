@@ -18,6 +18,9 @@ constexpr double kTurnPerStep = 0.25;
 // Iterations of the wire that take about as long as a step of the body.
 constexpr int kWireIterations = 10;
 
+// How firmly a host takes along what lies on it: an eye keeps its shape nearly, and a wing bends with the back below it.
+constexpr double kLaidFirmness = 1e-4;
+
 // At the end of a drag: what is not still after so many steps of a vertex (half a microsecond each) stays as it is. But a few
 // rounds are always made.
 constexpr int kStepsOfRound = 4;
@@ -142,6 +145,7 @@ void BendRig::bend(Part& part, int steps) {
   auto const& known = part.part->now();
   auto const& from = known.loose_end ? known.loose_from : part.start;
   auto& bender = part.part->bender();
+  bool const is_laid = !part.mouths.empty() && part.mouths.front().joint->is_laid();
   int const iterations = part.part->options().mode == BendMode::Wire ? kWireIterations : 1;
   for (int i = 0; i < steps && !part.is_settled; ++i) {
     bool const has_arrived = advance(part);
@@ -149,6 +153,7 @@ void BendRig::bend(Part& part, int steps) {
     for (auto const& handle : part.handles) {
       bool const is_by_hand = std::ssize(handles) < part.own_handles;
       handles.push_back({handle.anchor, handle.staged, {}, is_by_hand ? part.grip_px : 0});
+      if (is_laid && !is_by_hand) handles.back().firmness = kLaidFirmness;
       if (handle.turn_rad) handles.back().turn_rad = handle.staged_rad;
     }
     auto const progress = bender.step(

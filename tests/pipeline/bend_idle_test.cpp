@@ -5,6 +5,7 @@
 #include "document/transform.h"
 #include "pipeline/bend_session.h"
 #include "support/bend_hand.h"
+#include "support/editor_documents.h"
 
 namespace inkflate {
 namespace {
@@ -43,14 +44,15 @@ TEST(BendIdle, WhatJoinsIsFoundInTheDocumentAsItLies) {
 
 TEST(BendIdle, IdleTimeChangesNothingToTheLastBit) {
   // Someone who waits after each step, and someone who never does.
-  BendHand patient(jointed_document());
-  BendHand hasty(jointed_document());
+  auto const eye = LayerId{5};
+  BendHand patient(with_disc(jointed_document(), {400, 300}, 30));
+  BendHand hasty(patient.document);
   auto const drag = [&](BendGrab const& what, Vec2 way) {
     for (auto* const hand : {&patient, &hasty}) {
       if (hand == &patient) prepare_all(*hand);
       hand->drag(what, what.place + way);
     }
-    for (auto const layer : {kBody, kArm, kHand, kLeg}) {
+    for (auto const layer : {kBody, kArm, kHand, kLeg, eye}) {
       EXPECT_EQ(outline_distance(patient.document, hasty.document, layer), 0)
           << static_cast<int>(layer);
     }
@@ -77,6 +79,8 @@ TEST(BendIdle, IdleTimeChangesNothingToTheLastBit) {
   drag(body_at(kTopOfBody + Vec2{90, 40}), {-20, 30});
   drag({kLeg, {}, {}, {460, 910}}, {70, -20});
   drag({kArm, {}, {}, {700, 450}}, {15, 60});
+  drag({eye, {}, {}, {400, 270}}, {30, 20});
+  drag(body_at(kTopOfBody + Vec2{70, 70}), {-60, -20});
 }
 
 TEST(BendIdle, WhatWasSeenAtIdleAloneIsForgotten) {

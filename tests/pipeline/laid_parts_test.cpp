@@ -101,6 +101,18 @@ TEST(LaidParts, ComeAlongWithWhatTheyLieOnAndBack) {
   }
 }
 
+TEST(LaidParts, KeepTheirShapeNearlyWhereTheHostIsSqueezed) {
+  auto hand = with_pinned_head();
+  hand.drag({kHead, {}, {}, kTopOfHead}, {500, 480});
+  auto const contour = flatten(layer_of_hand(hand.document, kEye).outlines.front(), 0.1);
+  auto const centre = bounds(contour).centre();
+  // It has gone down, has no bumps and is about as round as it was.
+  EXPECT_GT(centre.y, 450);
+  for (auto const p : contour) EXPECT_NEAR(distance(p, centre), 50, 10);
+  auto const disc_perimeter = 2 * 3.14159 * 50;
+  EXPECT_NEAR(perimeter(contour), disc_perimeter, 0.05 * disc_perimeter);
+}
+
 TEST(LaidParts, AreFreeInAHandAndStayWhereTheyWereBrought) {
   auto hand = with_pinned_head();
   auto const before = hand.document;

@@ -88,7 +88,7 @@ BendPose ArapBody::next(std::span<Vec2 const> pose) const {
     for (std::size_t k = 0; k < 3; ++k)
       right[corners[k]] += product(rest_[t].slopes[k], turn) * rest_[t].weight;
   }
-  for (auto const& [anchor, target, turn_rad, grip_px] : handles_) {
+  for (auto const& [anchor, target, turn_rad, grip_px, firmness] : handles_) {
     for (std::size_t k = 0; k < 3; ++k)
       right[mesh_.rest.triangles[anchor.triangle][k]] += target * (kStrength * anchor.weights[k]);
   }
