@@ -20,6 +20,9 @@
 
 namespace inkflate {
 
+/// What a drawing is called that no file has named.
+inline constexpr std::string_view kNewName = "drawing";
+
 /// What a gesture has made of the document so far.
 struct Gesture {
   std::vector<Command> commands;
@@ -45,7 +48,7 @@ struct EditorState {
   View view;
   KeyMap keys;
   Language language = Language::English;
-  std::string file_name = "drawing";    // without extension
+  std::string file_name{kNewName};      // without extension
   Document saved = history.document();  // as it was saved or opened last
   JournalKeeper journal;
   ShapePreviewer previewer;

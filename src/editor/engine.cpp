@@ -191,7 +191,7 @@ Changes Engine::work() {
   return changes;
 }
 
-Changes Engine::recover(std::span<std::byte const> journal) {
+Changes Engine::recover(std::span<std::byte const> journal, std::string file_name) {
   Changes changes;
   auto& state = inside_->state;
   EditorTurn turn = {state, changes, inside_->progress};
@@ -206,6 +206,7 @@ Changes Engine::recover(std::span<std::byte const> journal) {
   state.bend.forget();
   state.history = std::move(read->history);
   state.saved = empty_document();
+  state.file_name = file_name.empty() ? std::string(kNewName) : std::move(file_name);
   state.view.selection.clear();
   // What was whole goes on as the new journal; what was torn is gone for good.
   for (auto const byte : journal.first(read->bytes)) {

@@ -81,7 +81,8 @@ class Engine {
   Changes work();
 
   /// Goes on from a journal that an earlier run has left.
-  Changes recover(std::span<std::byte const> journal);
+  /// file_name: what the drawing was called, without extension, which no journal knows; empty: as a new one
+  Changes recover(std::span<std::byte const> journal, std::string file_name = {});
 
   Scene scene();
   EngineState state() const;

@@ -63,8 +63,8 @@ class Core {
     share_.start();
     gather(changes_, engine_.work());
   }
-  void recover(std::span<std::byte const> journal) {
-    auto recovered = engine_.recover(journal);
+  void recover(std::span<std::byte const> journal, std::string file_name) {
+    auto recovered = engine_.recover(journal, std::move(file_name));
     recovery_ = recovery_of(recovered, journal.size());
     gather(changes_, std::move(recovered));
   }
@@ -161,8 +161,9 @@ EMSCRIPTEN_KEEPALIVE void engine_resize(Core* core, double width_px, double heig
 
 EMSCRIPTEN_KEEPALIVE bool engine_has_work(Core const* core) { return core->has_work(); }
 EMSCRIPTEN_KEEPALIVE void engine_work(Core* core) { core->work(); }
-EMSCRIPTEN_KEEPALIVE void engine_recover(Core* core, std::byte const* journal, std::size_t bytes) {
-  core->recover({journal, bytes});
+EMSCRIPTEN_KEEPALIVE void engine_recover(Core* core, std::byte const* journal, std::size_t bytes,
+                                         char const* name, std::size_t name_bytes) {
+  core->recover({journal, bytes}, text_at(name, name_bytes));
 }
 
 // Answers; null: there is nothing to answer.

@@ -48,8 +48,8 @@ class SettlingEngine {
     return null;
   }
 
-  state(): null {
-    return null;
+  state(): { fileName: string } {
+    return { fileName: "cat" };
   }
 }
 

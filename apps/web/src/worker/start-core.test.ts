@@ -15,7 +15,7 @@ const kept = vi.hoisted(() => ({ journal: new Uint8Array() }));
 class KeptJournalStore extends MemoryJournalStore {
   override open(): Promise<OpenedSession> {
     const generation = { number: 1, bytes: kept.journal, isTorn: false };
-    return Promise.resolve({ id: "kept", generations: [generation] });
+    return Promise.resolve({ id: "kept", name: "cat", generations: [generation] });
   }
 }
 
@@ -24,10 +24,10 @@ vi.mock("../storage/open-journal-store", () => ({
 }));
 vi.stubGlobal("navigator", {});
 
-/** The first picture of a core that takes up what was kept. */
-async function firstScene(width: number, height: number) {
+/** The first frame of a core that takes up what was kept. */
+async function firstFrame(width: number, height: number) {
   const wasm = await readFile(new URL("core.wasm", coreFolder));
-  const frame = await new Promise<Frame>((resolve, reject) => {
+  return new Promise<Frame>((resolve, reject) => {
     const take = (message: FromWorker) => {
       if (message.kind === "frame") resolve(message);
     };
@@ -46,10 +46,16 @@ async function firstScene(width: number, height: number) {
       )
       .catch(reject);
   });
-  return frame.scene!;
 }
 
 describe.skipIf(!isBuilt)("a core that starts", () => {
+  test("knows what the drawing that comes back is called", async () => {
+    const artist = await Artist.start();
+    artist.circle(500, 500, 300);
+    kept.journal = new Uint8Array(artist.changes().journal);
+    expect((await firstFrame(390, 844)).state).toMatchObject({ fileName: "cat", isBlank: false });
+  });
+
   test("fits the drawing that comes back into the window, however large that is", async () => {
     const artist = await Artist.start();
     artist.circle(500, 500, 300);
@@ -58,7 +64,7 @@ describe.skipIf(!isBuilt)("a core that starts", () => {
       [390, 844],
       [1440, 900],
     ] as const) {
-      const scene = await firstScene(width, height);
+      const scene = (await firstFrame(width, height)).scene!;
       expect([scene.width, scene.height]).toEqual([width, height]);
       const [scale, , , , x, y] = scene.canvasToScreen;
       expect(x + scale * 500).toBeCloseTo(width / 2, 0);
