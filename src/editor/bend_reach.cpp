@@ -33,10 +33,13 @@ Rect box_of(Document const& document, BendGrab const& what) {
 
 }  // namespace
 
+double usual_share(Document const& document, LayerId layer, BendSession& session) {
+  return is_held(document, layer, session) ? 1 : kUsualBendReach;
+}
+
 double bend_share(Document const& document, BendGrab const& what, ToolSettings const& settings,
                   BendSession& session) {
-  if (settings.bend_reach) return *settings.bend_reach;
-  return is_held(document, what.layer, session) ? 1 : kUsualBendReach;
+  return settings.bend_reach ? *settings.bend_reach : usual_share(document, what.layer, session);
 }
 
 BendReach bend_reach(Document const& document, BendGrab const& what, double share) {

@@ -8,6 +8,7 @@
 
 #include "document/history.h"
 #include "editor/actions.h"
+#include "editor/bend_reach.h"
 #include "editor/engine.h"
 #include "editor/journal_keeper.h"
 #include "editor/model_cache.h"
@@ -44,6 +45,7 @@ struct EditorState {
   ToolState tool;
   BendSession bend;                      // rest poses, and the drag of the Deform tool
   std::optional<ToolBending> bend_hand;  // where it is, as long as the session has not followed it
+  double usual_reach = kUsualBendReach;  // of a bend, where the settings name none
   PointerState pointers;
   View view;
   KeyMap keys;

@@ -161,6 +161,7 @@ Changes Engine::handle(Event const& event) {
   std::visit([&](auto const& each) { take(turn, each); }, event);
   follow_mode(turn, mode);
   if (was_deforming) follow_tool(turn);
+  follow_reach(turn);
   return changes;
 }
 
@@ -187,6 +188,7 @@ Changes Engine::work() {
     changes.is_scene_changed = true;
   } else if (is_bend_unprepared(state)) {
     prepare_bend(state);
+    follow_reach(turn);
   }
   return changes;
 }
@@ -246,6 +248,7 @@ EngineState Engine::state() const {
   result.undo_name = action_name(state.history.undo_label());
   result.redo_name = action_name(state.history.redo_label());
   result.is_saved = is_saved(state);
+  result.usual_reach = state.usual_reach;
   result.file_name = state.file_name;
   result.language = state.language;
   for (auto const& action : actions()) {
