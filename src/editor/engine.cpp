@@ -90,8 +90,11 @@ void take(EditorTurn& turn, ResizeEvent const& event) {
   bool const is_size = event.width_px >= 1 && event.height_px >= 1 &&
                        event.width_px <= kLargestViewPx && event.height_px <= kLargestViewPx;
   if (!is_size) return;
-  bool const has_bars = event.bars_px >= 0 && event.bars_px <= event.height_px;
-  turn.state.view.size = {event.width_px, event.height_px, has_bars ? event.bars_px : 0};
+  auto const& edges = event.edges;
+  bool const are_edges = edges.left_px >= 0 && edges.top_px >= 0 && edges.right_px >= 0 &&
+                         edges.bottom_px >= 0 && edges.left_px + edges.right_px <= event.width_px &&
+                         edges.top_px + edges.bottom_px <= event.height_px;
+  turn.state.view.size = {event.width_px, event.height_px, are_edges ? edges : ViewEdges{}};
   turn.changes.is_scene_changed = true;
 }
 

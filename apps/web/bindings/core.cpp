@@ -155,8 +155,9 @@ EMSCRIPTEN_KEEPALIVE void engine_file(Core* core, std::byte const* bytes, std::s
   core->handle(FileEvent{{bytes, bytes + count}, text_at(name, name_bytes), use});
 }
 EMSCRIPTEN_KEEPALIVE void engine_resize(Core* core, double width_px, double height_px,
-                                        double bars_px) {
-  core->handle(ResizeEvent{width_px, height_px, bars_px});
+                                        double left_px, double top_px, double right_px,
+                                        double bottom_px) {
+  core->handle(ResizeEvent{width_px, height_px, {left_px, top_px, right_px, bottom_px}});
 }
 
 EMSCRIPTEN_KEEPALIVE bool engine_has_work(Core const* core) { return core->has_work(); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import { describe, expect, test } from "vitest";
+import { describe, expect, test, vi } from "vitest";
+import { noEdges } from "../protocol/events";
 import type { FromWorker } from "../protocol/messages";
 import { MemoryJournalStore } from "../storage/memory-journal-store";
 import { CoreWorker } from "./core-worker";
@@ -53,7 +54,7 @@ class SettlingEngine {
   }
 }
 
-const move = { type: "resize", width: 1, height: 1, bars: 0 } as const;
+const move = { type: "resize", width: 1, height: 1, edges: noEdges } as const;
 
 function started() {
   const engine = new SettlingEngine();

@@ -2,6 +2,7 @@
 import { existsSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { describe, expect, test, vi } from "vitest";
+import { noEdges } from "../protocol/events";
 import type { Frame, FromWorker } from "../protocol/messages";
 import type { OpenedSession } from "../storage/journal-store";
 import { MemoryJournalStore } from "../storage/memory-journal-store";
@@ -39,7 +40,7 @@ async function firstFrame(width: number, height: number) {
             wasm: module,
             startWith: { kind: "new" },
             language: "en",
-            view: { type: "resize", width, height, bars: 100 },
+            view: { type: "resize", width, height, edges: { ...noEdges, top: 50, bottom: 50 } },
           },
           take,
         ),
