@@ -108,9 +108,8 @@ void change_bend_reach(EditorTurn& turn, double factor) {
   auto& settings = state.view.settings;
   auto* const hand = std::get_if<ToolBending>(&state.tool);
   auto const& document = state.history.document();
-  double const before = hand == nullptr
-                            ? settings.bend_reach.value_or(usual_bend_reach(settings.bend_mode))
-                            : bend_share(document, hand->what, settings, state.bend);
+  double const before = hand == nullptr ? settings.bend_reach.value_or(state.usual_reach)
+                                        : bend_share(document, hand->what, settings, state.bend);
   double const share = bounded(before * factor, ToolSettings::kLeastBendReach, 1);
   settings.bend_reach = share;
   turn.changes.is_state_changed = turn.changes.is_scene_changed = true;
@@ -119,6 +118,22 @@ void change_bend_reach(EditorTurn& turn, double factor) {
   hand->ring_px = reach.px;
   state.bend.set_reach(reach);
   state.bend_hand = *hand;
+}
+
+void follow_reach(EditorTurn& turn) {
+  auto& state = turn.state;
+  bool const is_deforming = state.view.mode == Mode::Draw && state.view.tool == Tool::Deform;
+  if (!is_deforming || is_bend_unprepared(state)) return;
+  auto const& document = state.history.document();
+  auto const* const hand = std::get_if<ToolBending>(&state.tool);
+  auto const* const meant = meant_layer(document, state.view);
+  auto const layer = hand != nullptr    ? hand->what.layer
+                     : meant != nullptr ? meant->layer.id
+                                        : LayerId::None;
+  double const share = usual_share(document, layer, state.view.settings.bend_mode, state.bend);
+  if (share == state.usual_reach) return;
+  state.usual_reach = share;
+  turn.changes.is_state_changed = true;
 }
 
 void bend_by_pin(EditorTurn& turn, Vec2 delta_px, std::optional<double> turn_rad) {

@@ -29,6 +29,10 @@ void drop_bend(EditorState& state);
 /// Larger or smaller by a factor, also in the midst of a drag.
 void change_bend_reach(EditorTurn& turn, double factor);
 
+/// How far the next drag reaches where the settings name nothing is known as soon as the part is prepared: of the part that is held, else
+/// of the one that is meant.
+void follow_reach(EditorTurn& turn);
+
 /// Moves and turns the selected pin at once, as an entry of its own. There has to be one.
 void bend_by_pin(EditorTurn& turn, Vec2 delta_px, std::optional<double> turn_rad);
 

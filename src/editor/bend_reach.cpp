@@ -35,10 +35,14 @@ Rect box_of(Document const& document, BendGrab const& what) {
 
 double usual_bend_reach(BendMode mode) { return mode == BendMode::Wire ? 0.3 : 0.6; }
 
+double usual_share(Document const& document, LayerId layer, BendMode mode, BendSession& session) {
+  return is_held(document, layer, session) ? 1 : usual_bend_reach(mode);
+}
+
 double bend_share(Document const& document, BendGrab const& what, ToolSettings const& settings,
                   BendSession& session) {
   if (settings.bend_reach) return *settings.bend_reach;
-  return is_held(document, what.layer, session) ? 1 : usual_bend_reach(settings.bend_mode);
+  return usual_share(document, what.layer, settings.bend_mode, session);
 }
 
 BendReach bend_reach(Document const& document, BendGrab const& what, double share) {

@@ -13,10 +13,13 @@ namespace inkflate {
 /// out     of mode Wire half as much, as all that it reaches follows
 double usual_bend_reach(BendMode mode);
 
-/// How far a drag reaches as a share of what it holds, 0.02 .. 1; 1: all of it. As the person has set it; else all of a part that pins or
-/// joints hold, and a share of any other and of a line.
+/// How far a drag reaches as a share of what it holds where nobody has said it: all (1) of a part that pins or joints hold, and a share
+/// of any other and of a line (LayerId::None).
 ///
 /// session: knows what joins what
+double usual_share(Document const& document, LayerId layer, BendMode mode, BendSession& session);
+
+/// As the person has set it, 0.02 .. 1; else usual_share().
 double bend_share(Document const& document, BendGrab const& what, ToolSettings const& settings,
                   BendSession& session);
 

@@ -8,6 +8,7 @@
 
 #include "document/history.h"
 #include "editor/actions.h"
+#include "editor/bend_reach.h"
 #include "editor/engine.h"
 #include "editor/journal_keeper.h"
 #include "editor/model_cache.h"
@@ -19,6 +20,9 @@
 #include "pipeline/shape_previewer.h"
 
 namespace inkflate {
+
+/// What a drawing is called that no file has named.
+inline constexpr std::string_view kNewName = "drawing";
 
 /// What a gesture has made of the document so far.
 struct Gesture {
@@ -41,11 +45,12 @@ struct EditorState {
   ToolState tool;
   BendSession bend;                      // rest poses, and the drag of the Deform tool
   std::optional<ToolBending> bend_hand;  // where it is, as long as the session has not followed it
+  double usual_reach = usual_bend_reach(BendMode::Body);  // of a bend, where the settings name none
   PointerState pointers;
   View view;
   KeyMap keys;
   Language language = Language::English;
-  std::string file_name = "drawing";    // without extension
+  std::string file_name{kNewName};      // without extension
   Document saved = history.document();  // as it was saved or opened last
   JournalKeeper journal;
   ShapePreviewer previewer;

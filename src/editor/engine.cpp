@@ -90,8 +90,11 @@ void take(EditorTurn& turn, ResizeEvent const& event) {
   bool const is_size = event.width_px >= 1 && event.height_px >= 1 &&
                        event.width_px <= kLargestViewPx && event.height_px <= kLargestViewPx;
   if (!is_size) return;
-  bool const has_bars = event.bars_px >= 0 && event.bars_px <= event.height_px;
-  turn.state.view.size = {event.width_px, event.height_px, has_bars ? event.bars_px : 0};
+  auto const& edges = event.edges;
+  bool const are_edges = edges.left_px >= 0 && edges.top_px >= 0 && edges.right_px >= 0 &&
+                         edges.bottom_px >= 0 && edges.left_px + edges.right_px <= event.width_px &&
+                         edges.top_px + edges.bottom_px <= event.height_px;
+  turn.state.view.size = {event.width_px, event.height_px, are_edges ? edges : ViewEdges{}};
   turn.changes.is_scene_changed = true;
 }
 
@@ -161,6 +164,7 @@ Changes Engine::handle(Event const& event) {
   std::visit([&](auto const& each) { take(turn, each); }, event);
   follow_mode(turn, mode);
   if (was_deforming) follow_tool(turn);
+  follow_reach(turn);
   return changes;
 }
 
@@ -187,11 +191,12 @@ Changes Engine::work() {
     changes.is_scene_changed = true;
   } else if (is_bend_unprepared(state)) {
     prepare_bend(state);
+    follow_reach(turn);
   }
   return changes;
 }
 
-Changes Engine::recover(std::span<std::byte const> journal) {
+Changes Engine::recover(std::span<std::byte const> journal, std::string file_name) {
   Changes changes;
   auto& state = inside_->state;
   EditorTurn turn = {state, changes, inside_->progress};
@@ -206,6 +211,7 @@ Changes Engine::recover(std::span<std::byte const> journal) {
   state.bend.forget();
   state.history = std::move(read->history);
   state.saved = empty_document();
+  state.file_name = file_name.empty() ? std::string(kNewName) : std::move(file_name);
   state.view.selection.clear();
   // What was whole goes on as the new journal; what was torn is gone for good.
   for (auto const byte : journal.first(read->bytes)) {
@@ -245,6 +251,7 @@ EngineState Engine::state() const {
   result.undo_name = action_name(state.history.undo_label());
   result.redo_name = action_name(state.history.redo_label());
   result.is_saved = is_saved(state);
+  result.usual_reach = state.usual_reach;
   result.file_name = state.file_name;
   result.language = state.language;
   for (auto const& action : actions()) {

@@ -57,7 +57,8 @@ struct EngineState {
   CloseChoice choice;     // of what is rough
   std::string undo_name;  // an action's; empty: nothing to undo
   std::string redo_name;
-  bool is_saved = true;  // nothing has changed since the last save
+  double usual_reach = 0;  // of a bend, where the settings name none: usual_share()
+  bool is_saved = true;    // nothing has changed since the last save
   std::string file_name;
   Language language = Language::English;
   std::vector<std::string> enabled;  // actions that would do something now
@@ -81,7 +82,8 @@ class Engine {
   Changes work();
 
   /// Goes on from a journal that an earlier run has left.
-  Changes recover(std::span<std::byte const> journal);
+  /// file_name: what the drawing was called, without extension, which no journal knows; empty: as a new one
+  Changes recover(std::span<std::byte const> journal, std::string file_name = {});
 
   Scene scene();
   EngineState state() const;

@@ -86,12 +86,21 @@ struct FileEvent {
   FileUse use = FileUse::Open;
 };
 
+/// How far bars and panels of the studio reach into the view from its edges, px of the screen.
+struct ViewEdges {
+  double left_px = 0;
+  double top_px = 0;
+  double right_px = 0;
+  double bottom_px = 0;
+
+  friend bool operator==(ViewEdges const&, ViewEdges const&) = default;
+};
+
 /// The view's size in px of the screen.
 struct ResizeEvent {
   double width_px = 0;
   double height_px = 0;
-  double bars_px =
-      0;  // of the height, that bars of the studio lie over: half of it above, half below
+  ViewEdges edges = {};
 };
 
 using Event = std::variant<PointerEvent, KeyEvent, WheelEvent, GestureEvent, ActionEvent, FileEvent,

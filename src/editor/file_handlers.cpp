@@ -22,7 +22,7 @@ std::string stem_of(std::string const& path) {
   auto name = slash == std::string::npos ? path : path.substr(slash + 1);
   auto const dot = name.find_last_of('.');
   if (dot != std::string::npos && dot > 0) name.resize(dot);
-  return name.empty() ? "drawing" : name;
+  return name.empty() ? std::string(kNewName) : name;
 }
 
 void begin_new(EditorTurn& turn) {
@@ -33,7 +33,7 @@ void begin_new(EditorTurn& turn) {
   }
   state.saved = state.history.document();
   state.bend.forget();
-  state.file_name = "drawing";
+  state.file_name = kNewName;
   state.view.mode = Mode::Draw;
   fit_paper(turn);
 }

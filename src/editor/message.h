@@ -40,8 +40,9 @@ enum class Word {
   NotClosed,
   NothingToInflate,
   NothingSelected,
-  NoPin,          // none is selected, or there is none
-  NothingToBend,  // no line to hold
+  SeveralSelected,  // where one part is wanted
+  NoPin,            // none is selected, or there is none
+  NothingToBend,    // no line to hold
   PartLocked,
   NotYetPart,  // a pin on a rough line
   NothingToUndo,

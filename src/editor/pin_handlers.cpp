@@ -17,22 +17,15 @@ constexpr double kTurnStepRad = kPi / 12;
 
 Document const& document_of(EditorState const& state) { return state.history.document(); }
 
-/// The part that can only be meant. Null: there are several, or none.
-DocumentLayer const* only_layer(Document const& document) {
-  auto const& layers = *document.layers;
-  auto const can_be = [](auto const& layer) { return is_pickable(*layer); };
-  auto const first = std::find_if(layers.begin(), layers.end(), can_be);
-  if (first == layers.end() || std::any_of(first + 1, layers.end(), can_be)) return nullptr;
-  return first->get();
+DocumentLayer const* pinned_layer(EditorState const& state) {
+  return meant_layer(document_of(state), state.view);
 }
 
-/// The part whose pins are meant: the one that is selected, that of the selected pin, or the only one. Null: there is none.
-DocumentLayer const* pinned_layer(EditorState const& state) {
-  auto const& view = state.view;
-  auto const layers = pickable(document_of(state), view.selection);
-  if (layers.size() == 1) return find_layer(document_of(state), layers[0]);
-  if (view.pin) return find_layer(document_of(state), view.pin->layer);
-  return only_layer(document_of(state));
+/// Why no part is meant.
+void ask_for_part(EditorTurn& turn) {
+  auto const& view = turn.state.view;
+  bool const are_several = pickable(document_of(turn.state), view.selection).size() > 1;
+  say(turn, Severity::Warning, are_several ? Word::SeveralSelected : Word::NothingSelected);
 }
 
 /// Pins are seen and held with the Deform tool alone.
@@ -71,7 +64,7 @@ void add_pin(EditorTurn& turn) {
   auto place = place_of(turn.argument);
   if (!place && !turn.argument.empty()) return refuse_argument(turn);
   auto const* const layer = pinned_layer(turn.state);
-  if (layer == nullptr) return say(turn, Severity::Warning, Word::NothingSelected);
+  if (layer == nullptr) return ask_for_part(turn);
   if (!place) place = place_for_pin(layer->layer);
   if (!place) return say(turn, Severity::Warning, Word::NothingToBend);
   auto const id = layer->layer.id;
@@ -99,7 +92,7 @@ void free_pin(EditorTurn& turn) {
 
 void delete_pins(EditorTurn& turn) {
   auto const* const layer = pinned_layer(turn.state);
-  if (layer == nullptr) return say(turn, Severity::Warning, Word::NothingSelected);
+  if (layer == nullptr) return ask_for_part(turn);
   set_pins(turn, layer->layer.id, {}, "delete_pins");
 }
 

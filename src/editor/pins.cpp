@@ -16,6 +16,15 @@ double squared_distance_to(std::vector<Vec2> const& held, Vec2 p) {
   return least;
 }
 
+/// The part that can only be meant. Null: there are several, or none.
+DocumentLayer const* only_layer(Document const& document) {
+  auto const& layers = *document.layers;
+  auto const can_be = [](auto const& layer) { return is_pickable(*layer); };
+  auto const first = std::find_if(layers.begin(), layers.end(), can_be);
+  if (first == layers.end() || std::any_of(first + 1, layers.end(), can_be)) return nullptr;
+  return first->get();
+}
+
 }  // namespace
 
 BendPin const* find_pin(Document const& document, BendPinRef const& pin) {
@@ -53,6 +62,13 @@ std::optional<BendPinRef> pin_after(std::vector<BendPinRef> const& pins,
   auto const count = std::ssize(pins);
   if (found == pins.end()) return step > 0 ? pins.front() : pins.back();
   return pins[static_cast<std::size_t>((found - pins.begin() + step + count) % count)];
+}
+
+DocumentLayer const* meant_layer(Document const& document, View const& view) {
+  auto const layers = pickable(document, view.selection);
+  if (layers.size() == 1) return find_layer(document, layers[0]);
+  if (view.pin) return find_layer(document, view.pin->layer);
+  return only_layer(document);
 }
 
 std::optional<Vec2> place_for_pin(Layer const& layer) {

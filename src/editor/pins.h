@@ -24,6 +24,10 @@ std::vector<BendPinRef> pins_in_turn(Document const& document, View const& view)
 std::optional<BendPinRef> pin_after(std::vector<BendPinRef> const& pins,
                                     std::optional<BendPinRef> const& pin, int step);
 
+/// The part that is meant where none is named: the one that is selected, that of the selected pin, or the only one that can be taken hold
+/// of. Null: there is none.
+DocumentLayer const* meant_layer(Document const& document, View const& view);
+
 /// Where the next pin of a layer holds best: the place of its outer line that is farthest from its pins; from the middle of its box
 /// as long as there is none. Nothing: it has no outline.
 std::optional<Vec2> place_for_pin(Layer const& layer);

@@ -34,14 +34,39 @@ ModelView moved_to(ModelView model, Vec2 pan_px) {
   return model;
 }
 
+struct Span {
+  double from_px = 0;
+  double to_px = 0;
+};
+
+/// What two edges leave of a length: at least half of it, with the edges as one to the other.
+Span free_of(double first_px, double last_px, double length_px) {
+  double const share = std::min(1.0, length_px / 2 / std::max(first_px + last_px, 1e-9));
+  return {share * first_px, length_px - share * last_px};
+}
+
+/// Where the middle of a length comes to lie that needs so much of the free span: as near to the wish as the span allows.
+double placed_in(double from_px, double to_px, double needed_px, double wish_px) {
+  double const middle_px = (from_px + to_px) / 2;
+  double const slack_px = std::max(0.0, (to_px - from_px - needed_px) / 2);
+  return middle_px + std::clamp(wish_px - middle_px, -slack_px, slack_px);
+}
+
 double clamped_zoom(double zoom) {
   return std::clamp(zoom, Camera::kLeastZoom, Camera::kLargestZoom);
 }
 
 }  // namespace
 
+Rect free_room(ViewSize const& size) {
+  auto const& edges = size.edges;
+  auto const [left_px, right_px] = free_of(edges.left_px, edges.right_px, size.width_px);
+  auto const [top_px, bottom_px] = free_of(edges.top_px, edges.bottom_px, size.height_px);
+  return {{left_px, top_px}, {right_px, bottom_px}};
+}
+
 double free_height_px(ViewSize const& size) {
-  return std::max(size.height_px - size.bars_px, size.height_px / 2);
+  return std::max(size.height_px - 2 * size.edges.top_px, size.height_px / 2);
 }
 
 Affine canvas_to_screen(Camera const& camera, ViewSize const& size) {
@@ -76,13 +101,17 @@ Camera zoomed(Camera const& camera, ViewSize const& size, Vec2 screen, double fa
 Camera fitted(Camera const& camera, ViewSize const& size, Rect const& box) {
   if (!is_finite(box.min) || !is_finite(box.max) || box.is_empty()) return camera;
   auto next = camera;
+  auto const room = free_room(size);
   // A single place has no fitting zoom; it only comes to the middle.
   if (box.longer_side() > 0) {
-    next.zoom =
-        clamped_zoom(kFittedShare * std::min(size.width_px / std::max(box.width(), 1e-9),
-                                             free_height_px(size) / std::max(box.height(), 1e-9)));
+    next.zoom = clamped_zoom(kFittedShare * std::min(room.width() / std::max(box.width(), 1e-9),
+                                                     room.height() / std::max(box.height(), 1e-9)));
   }
-  return centred_at(next, box.centre());
+  double const per_px = next.zoom / kFittedShare;
+  auto const middle = half_of(size);
+  Vec2 const at = {placed_in(room.min.x, room.max.x, per_px * box.width(), middle.x),
+                   placed_in(room.min.y, room.max.y, per_px * box.height(), middle.y)};
+  return centred_at(next, box.centre() - unmirrored(next, at - middle) / next.zoom);
 }
 
 Camera mirrored(Camera const& camera) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "deform/bend_options.h"
+#include "editor/events.h"
 #include "geometry/affine.h"
 #include "geometry/rect.h"
 #include "model/drawing.h"
@@ -27,13 +28,15 @@ struct Camera {
 struct ViewSize {
   double width_px = 1000;
   double height_px = 1000;
-  double bars_px =
-      0;  // of the height, that bars lie over: half of it above, half below; 0 .. height_px
+  ViewEdges edges = {};  // each >= 0; two that face each other no more than the side between them
 
   friend bool operator==(ViewSize const&, ViewSize const&) = default;
 };
 
-/// The height between the bars, where what is fitted into the view goes; at least half of it, however low the window is.
+/// What bars and panels leave free of the view, px of the screen, where drawings that are fitted go: at least half of each side, however
+/// small the window is.
+Rect free_room(ViewSize const& size);
+/// The height for a model, which stands in the middle of the view: as much is free below as above, and at least half of the view.
 double free_height_px(ViewSize const& size);
 
 /// Of all that follows: camera, model view and size are finite; a stretch, place, factor or box that is not, or that means
@@ -47,7 +50,8 @@ Camera panned(Camera const& camera, Vec2 screen_delta);
 /// Larger by a factor, with the place under the pointer staying where it is. The zoom stays within its limits, and the paper
 /// within reach.
 Camera zoomed(Camera const& camera, ViewSize const& size, Vec2 screen, double factor);
-/// So that a rectangle of the canvas fills the view but for a margin; a single place comes to the middle.
+/// So that a rectangle of the canvas fills the free room but for a margin, as near to the middle of the view as it can lie there; a single
+/// place comes to the middle.
 Camera fitted(Camera const& camera, ViewSize const& size, Rect const& box);
 /// Left and right change places; the middle of the view stays.
 Camera mirrored(Camera const& camera);

@@ -50,6 +50,8 @@ constexpr WordText kTexts[] = {
     {Word::NothingToInflate, "There is no part to inflate yet. Draw a shape and simplify it.",
      "Zatím není co nafouknout. Nakreslete tvar a zjednodušte ho."},
     {Word::NothingSelected, "Select a part first.", "Nejdřív vyberte část."},
+    {Word::SeveralSelected, "Several parts are selected: select just one.",
+     "Vybráno je několik částí: vyberte jen jednu."},
     {Word::NoPin, "There is no pin here. Click a line with Deform to put one there.",
      "Není tu žádný špendlík. Zapíchnete ho klepnutím na čáru, když deformujete."},
     {Word::NothingToBend, "There is no line here to bend.", "Není tu žádná čára k ohnutí."},

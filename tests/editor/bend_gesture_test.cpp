@@ -238,6 +238,43 @@ TEST(BendGesture, WithOnePartNobodyHasToSayWhichOneIsPinned) {
   EXPECT_EQ(entries(artist), before);
 }
 
+TEST(BendGesture, OfSeveralSelectedPartsNoneIsPinnedAndThatIsSaid) {
+  auto artist = bender();
+  artist.key("b");
+  artist.draw_circle({200, 200}, 80);
+  artist.key("Enter");
+  artist.act("select_all");
+  int const before = entries(artist);
+  for (auto const* action : {"add_pin", "delete_pins"}) {
+    auto const changes = artist.act(action);
+    ASSERT_EQ(changes.messages.size(), 1U) << action;
+    EXPECT_EQ(changes.messages[0].word, Word::SeveralSelected) << action;
+  }
+  EXPECT_EQ(entries(artist), before);
+}
+
+TEST(BendGesture, TheUsualReachIsThatOfThePartThatIsMeant) {
+  auto artist = bender();
+  EXPECT_EQ(artist.state().usual_reach, usual_bend_reach(BendMode::Body));
+  artist.act("add_pin");
+  EXPECT_EQ(artist.state().usual_reach, 1) << "a pin holds it";
+  artist.key("b");
+  artist.draw_circle({200, 200}, 80);
+  artist.key("Enter");
+  artist.act("select_all");
+  artist.key("d");
+  EXPECT_EQ(artist.state().usual_reach, usual_bend_reach(BendMode::Body)) << "none is meant";
+}
+
+TEST(BendGesture, TheWheelGoesOnFromTheUsualReach) {
+  auto artist = bender();
+  artist.act("add_pin");
+  artist.key("[");
+  auto const reach = artist.state().view.settings.bend_reach;
+  ASSERT_TRUE(reach);
+  EXPECT_NEAR(*reach, 1 / 1.25, 1e-9);
+}
+
 TEST(BendGesture, SettingsTakeWhatTheyMayBeAndNothingElse) {
   auto artist = bender();
   artist.act("bend_reach", "whole");

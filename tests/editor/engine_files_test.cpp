@@ -182,6 +182,16 @@ TEST(EngineFiles, TheJournalGivesTheDocumentBackWithItsHistory) {
   EXPECT_TRUE(next.state().has_rough_strokes);
 }
 
+TEST(EngineFiles, ADrawingThatIsTakenUpIsCalledAsBefore) {
+  auto artist = with_disc();
+  Artist next;
+  next.engine().recover(bytes_of(artist.journal), "hand.of.mine");
+  EXPECT_EQ(next.state().file_name, "hand.of.mine");
+  EXPECT_EQ(next.act("save").files.at(0).name, "hand.of.mine.inkflate");
+  next.engine().recover(bytes_of(artist.journal));
+  EXPECT_EQ(next.state().file_name, "drawing");
+}
+
 TEST(EngineFiles, ATornJournalIsTakenUpAtItsLastWholeLine) {
   auto artist = with_disc();
   auto const whole = artist.journal.size();

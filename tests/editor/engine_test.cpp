@@ -181,6 +181,19 @@ TEST(Engine, SizesThatAreNoneAreIgnored) {
   EXPECT_EQ(artist.state().view.size, (ViewSize{640, 480}));
 }
 
+TEST(Engine, EdgesThatAreNoneOrTooManyAreIgnored) {
+  Artist artist;
+  ViewEdges const edges = {10, 20, 30, 40};
+  artist.send(ResizeEvent{640, 480, edges});
+  EXPECT_EQ(artist.state().view.size.edges, edges);
+  for (ViewEdges const& bad :
+       {ViewEdges{-1, 0, 0, 0}, ViewEdges{400, 0, 400, 0}, ViewEdges{0, 300, 0, 300},
+        ViewEdges{0, 0, static_cast<double>(NAN), 0}}) {
+    artist.send(ResizeEvent{640, 480, bad});
+    EXPECT_EQ(artist.state().view.size.edges, ViewEdges{});
+  }
+}
+
 TEST(Engine, WhatIsRoughHasAPreviewAfterEveryStroke) {
   Artist artist;
   artist.draw_circle(kMiddle, 200);

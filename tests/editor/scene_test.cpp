@@ -215,9 +215,9 @@ TEST(Scene, AViewOfAnyNumbersGivesFiniteLists) {
   }
 }
 
-TEST(Scene, TellsHowMuchOfItIsFreeOfBars) {
+TEST(Scene, TellsHowMuchOfItIsFreeForAModel) {
   SceneMaker maker;
-  maker.view.size = {400, 300, 120};
+  maker.view.size = {400, 300, {0, 60, 0, 90}};
   EXPECT_EQ(free_height_px(maker.scene(empty_document()).size), 180);
 }
 

@@ -106,14 +106,36 @@ TEST(Camera, FittedBoxFillsTheViewButForAMargin) {
   }
 }
 
-TEST(Camera, FittedBoxStaysFreeOfTheBars) {
+TEST(Camera, FittedBoxStaysFreeOfWhatLiesOverTheEdges) {
+  ViewSize const size = {1000, 500, {70, 60, 270, 130}};
+  auto const room = free_room(size);
+  EXPECT_EQ(room, (Rect{{70, 60}, {730, 370}}));
+  for (Rect const& box :
+       {Rect{{0, 0}, {10, 100}}, Rect{{-50, 20}, {50, 30}}, Rect{{0, 0}, {7, 5}}}) {
+    for (bool const is_mirrored : {false, true}) {
+      auto const map = canvas_to_screen(fitted({{}, 1, is_mirrored}, size, box), size);
+      Rect screen;
+      screen.include(map(box.min));
+      screen.include(map(box.max));
+      EXPECT_GT(screen.min.x, room.min.x);
+      EXPECT_GT(screen.min.y, room.min.y);
+      EXPECT_LT(screen.max.x, room.max.x);
+      EXPECT_LT(screen.max.y, room.max.y);
+    }
+  }
+}
+
+TEST(Camera, FittedBoxLiesInTheMiddleOfTheViewWhereThatIsFree) {
+  ViewSize const size = {1000, 500, {70, 60, 270, 130}};
   Rect const tall = {{0, 0}, {10, 100}};
-  ViewSize const size = {1000, 500, 100};
-  auto const camera = fitted({}, size, tall);
-  EXPECT_LT(camera.zoom * tall.height(), 400);
-  EXPECT_EQ(camera.centre, tall.centre());
-  // A window that is all bars still shows something.
-  EXPECT_EQ(free_height_px({1000, 100, 90}), 50);
+  auto const map = canvas_to_screen(fitted({}, size, tall), size);
+  EXPECT_NEAR(map(tall.centre()).x, 500, 1e-9);
+  EXPECT_NEAR(map(tall.centre()).y, 215, 1e-9) << "it fills the height that is free";
+}
+
+TEST(Camera, AWindowThatIsAllBarsStillShowsSomething) {
+  EXPECT_EQ(free_room({1000, 100, {0, 45, 0, 45}}), (Rect{{0, 25}, {1000, 75}}));
+  EXPECT_EQ(free_height_px({1000, 100, {0, 45, 0, 45}}), 50);
 }
 
 TEST(Camera, FittedPlaceComesToTheMiddleAtTheSameZoom) {

@@ -63,8 +63,8 @@ class Core {
     share_.start();
     gather(changes_, engine_.work());
   }
-  void recover(std::span<std::byte const> journal) {
-    auto recovered = engine_.recover(journal);
+  void recover(std::span<std::byte const> journal, std::string file_name) {
+    auto recovered = engine_.recover(journal, std::move(file_name));
     recovery_ = recovery_of(recovered, journal.size());
     gather(changes_, std::move(recovered));
   }
@@ -155,14 +155,16 @@ EMSCRIPTEN_KEEPALIVE void engine_file(Core* core, std::byte const* bytes, std::s
   core->handle(FileEvent{{bytes, bytes + count}, text_at(name, name_bytes), use});
 }
 EMSCRIPTEN_KEEPALIVE void engine_resize(Core* core, double width_px, double height_px,
-                                        double bars_px) {
-  core->handle(ResizeEvent{width_px, height_px, bars_px});
+                                        double left_px, double top_px, double right_px,
+                                        double bottom_px) {
+  core->handle(ResizeEvent{width_px, height_px, {left_px, top_px, right_px, bottom_px}});
 }
 
 EMSCRIPTEN_KEEPALIVE bool engine_has_work(Core const* core) { return core->has_work(); }
 EMSCRIPTEN_KEEPALIVE void engine_work(Core* core) { core->work(); }
-EMSCRIPTEN_KEEPALIVE void engine_recover(Core* core, std::byte const* journal, std::size_t bytes) {
-  core->recover({journal, bytes});
+EMSCRIPTEN_KEEPALIVE void engine_recover(Core* core, std::byte const* journal, std::size_t bytes,
+                                         char const* name, std::size_t name_bytes) {
+  core->recover({journal, bytes}, text_at(name, name_bytes));
 }
 
 // Answers; null: there is nothing to answer.

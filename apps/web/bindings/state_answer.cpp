@@ -113,6 +113,7 @@ Answer state_answer(EngineState const& state, Document const& document) {
                      {"undo", action_json(state.undo_name)},
                      {"redo", action_json(state.redo_name)},
                      {"isSaved", state.is_saved},
+                     {"usualReach", state.usual_reach},
                      {"fileName", state.file_name},
                      {"language", name_of(state.language)},
                      {"enabled", state.enabled}});

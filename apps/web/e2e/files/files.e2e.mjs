@@ -41,6 +41,22 @@ test("a drawing dropped on an empty sheet is opened, a second one is added", {},
   await studio.until("opened instead", (state) => state.fileName === "other");
 });
 
+test("a drawing is called what it was called when the page is loaded again", {}, async (world) => {
+  const { studio, page } = world;
+  await studio.open();
+  await drop(page, "goose.svg", "image/svg+xml", await drawing());
+  await studio.until("opened", (state) => !state.isBlank);
+  await studio.saved();
+  for (const time of ["once", "twice"]) {
+    await page.reload();
+    const again = await studio.until(time, (state) => state !== null && !state.isBlank);
+    assert.equal(again.fileName, "goose", time);
+    await studio.atRest();
+  }
+  const { name } = await studio.download(() => studio.act("save"));
+  assert.equal(name, "goose.inkflate");
+});
+
 test("a picture dropped beside a drawing is one to trace", {}, async (world) => {
   const { studio, page, keys } = world;
   await studio.open();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines are dragged, and bend as one expects.
 import assert from "node:assert/strict";
-import { characterOn, drawArm, drawPart, inflate } from "../harness/drawn.mjs";
+import { deform, withArm, withBar } from "../harness/bendable.mjs";
+import { characterOn, drawPart, inflate } from "../harness/drawn.mjs";
 import { assertValidGlb } from "../harness/judges.mjs";
 import { readPng } from "../harness/png.mjs";
 import { test } from "../harness/tests.mjs";
@@ -9,41 +10,6 @@ import { test } from "../harness/tests.mjs";
 /** What is drawn; pins are not. */
 async function text(studio) {
   return String(await studio.written("svg")).replaceAll(/ inkflate:bend-pins="[^"]*"/g, "");
-}
-
-/** The tool, and nothing on the paper but the drawing. */
-async function deform({ studio, keys }) {
-  await studio.act("grid");
-  await keys.press("d");
-  return studio.until("the tool", (state) => state.tool === "deform");
-}
-
-/** A body with its near arm, and where the arm's hand is. */
-async function withArm(world, hand) {
-  const { studio } = world;
-  await studio.open();
-  const character = await characterOn(studio);
-  await drawPart(world, hand, character.body, 1);
-  await drawArm(world, hand, character.near, 2);
-  await deform(world);
-  return { ...character, tip: character.place([897, 318]) };
-}
-
-/** One part alone: an upright bar. */
-async function withBar(world, hand) {
-  const { studio } = world;
-  await studio.open();
-  const { place } = await characterOn(studio);
-  const corners = [
-    [420, 200],
-    [580, 200],
-    [580, 700],
-    [420, 700],
-    [420, 202],
-  ];
-  await drawPart(world, hand, [corners.map(place)], 1);
-  await deform(world);
-  return place;
 }
 
 const paper = [251, 248, 242];
@@ -281,29 +247,5 @@ test("a pen bends what it drags", { device: "tablet" }, async (world) => {
   const { studio, pen } = world;
   const { tip, place } = await withArm(world, pen);
   await pen.drag(tip, place([820, 120]), { steps: 20 });
-  await studio.until("bent", (state) => state.undo === "deform");
-});
-
-test("the bar says how it bends, and does it", {}, async (world) => {
-  const { studio, page, mouse, keys, picture } = world;
-  const place = await withBar(world, mouse);
-  const body = page.getByRole("slider", { name: "Stiffness of the body" });
-  assert.equal(await body.getAttribute("aria-valuetext"), "Body");
-  await body.focus();
-  await keys.press("Home");
-  await studio.until("wire", (state) => state.bendBody === 0.003);
-  assert.equal(await body.getAttribute("aria-valuetext"), "Wire");
-  const reach = page.getByRole("slider", { name: "Reach" });
-  await reach.focus();
-  await keys.press("End");
-  await studio.until("all of it", (state) => state.bendReach === 1);
-  await page.getByRole("button", { name: "Auto" }).click();
-  await studio.until("automatic", (state) => state.bendReach === null);
-  await page.getByRole("button", { name: "More about bending" }).click();
-  await picture("more");
-  await page.getByRole("switch", { name: "As a wire strip" }).click();
-  await studio.until("a strip", (state) => state.bendMode === "wire");
-  await mouse.click(place([900, 700]));
-  await mouse.drag(place([580, 450]), place([680, 450]), { steps: 12 });
   await studio.until("bent", (state) => state.undo === "deform");
 });

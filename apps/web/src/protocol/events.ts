@@ -83,13 +83,22 @@ export interface FileInput {
   readonly use: FileUse;
 }
 
+/** How far bars and panels reach into the view, CSS px. */
+export interface ViewEdges {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+export const noEdges: ViewEdges = { left: 0, top: 0, right: 0, bottom: 0 };
+
 export interface ResizeInput {
   readonly type: "resize";
   /** CSS px. */
   readonly width: number;
   readonly height: number;
-  /** Of the height, that bars lie over: half of it above, half below. */
-  readonly bars: number;
+  readonly edges: ViewEdges;
 }
 
 export type CoreEvent =

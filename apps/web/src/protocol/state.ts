@@ -41,6 +41,8 @@ export interface EngineState {
   readonly bendBody: number;
   /** How far a drag reaches, as a share of the part, 0.02 .. 1; 1: the whole part; null: as the part is held. */
   readonly bendReach: number | null;
+  /** What null means for the part that is held or meant now. */
+  readonly usualReach: number;
   /** A pin is selected. */
   readonly hasPin: boolean;
   /** The pointer is over something that the tool would take. */

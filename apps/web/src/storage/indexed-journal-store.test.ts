@@ -38,6 +38,36 @@ describe("the journal store", () => {
     expect(await reopened(browser, id)).toEqual(["start one"]);
   });
 
+  it("gives the name back that the drawing had when it was saved last", async () => {
+    const browser = new FakeBrowser();
+    const tab = await browser.tab();
+    const { id, name } = await tab.store.open(null);
+    expect(name).toBe("");
+    tab.store.append(bytesOf("start "));
+    tab.store.rename("drawing");
+    await untilTold(tab);
+    tab.store.append(bytesOf("open "));
+    tab.store.rename("cat");
+    await untilTold(tab);
+    tab.close();
+    const again = await browser.tab();
+    expect((await again.store.open(id)).name).toBe("cat");
+  });
+
+  it("keeps the picture when the drawing goes on under its name or another", async () => {
+    const browser = new FakeBrowser();
+    const [tab, id] = await drawn(browser, "start ");
+    const picture = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a);
+    tab.store.describe("cat", picture);
+    await tab.store.open(null);
+    for (const name of ["cat", "dog"]) {
+      await tab.store.open(id);
+      tab.store.rename(name);
+      await tab.store.open(null);
+      expect(await tab.store.list()).toMatchObject([{ id, name, picture }]);
+    }
+  });
+
   it("leaves nothing behind of a session in which nothing was drawn", async () => {
     const browser = new FakeBrowser();
     const tab = await browser.tab();

@@ -50,6 +50,10 @@ export class IndexedJournalStore implements JournalStore {
     this.writer?.startNew(bytes);
   }
 
+  rename(name: string): void {
+    this.writer?.rename(name);
+  }
+
   describe(name: string, picture: Uint8Array | null): void {
     this.writer?.describe({ name, picture });
   }
@@ -111,10 +115,10 @@ export class IndexedJournalStore implements JournalStore {
     const id = this.parts.newId();
     await this.parts.holds.take(id, 0);
     this.begin(id, null);
-    return { id, generations: [] };
+    return { id, name: "", generations: [] };
   }
 
-  private goOn(session: string, { lines, record }: FoundSession): OpenedSession {
+  private goOn(session: string, { lines, record, description }: FoundSession): OpenedSession {
     const generations = assembleGenerations(lines, record);
     const best = generations[0];
     const newest = Math.max(...generations.map(({ number }) => number));
@@ -125,9 +129,10 @@ export class IndexedJournalStore implements JournalStore {
       newest,
       bytes: best.bytes,
       isFresh: isOfOneLine && best.number === newest && !best.isTorn,
+      description,
     };
     this.begin(session, earlier ?? null);
-    return { id: session, generations };
+    return { id: session, name: description.name, generations };
   }
 
   private begin(session: string, earlier: Earlier | null): void {

@@ -12,6 +12,8 @@ export interface Generation {
 
 export interface OpenedSession {
   readonly id: string;
+  /** What the drawing was called last; "": nobody knows. */
+  readonly name: string;
   /**
    * Newest first, but a torn one behind an older one that knows more; empty: a new session. The first that the core can read is the
    * one to go on with; what is appended goes on from the first.
@@ -32,6 +34,8 @@ export interface JournalStore {
   append(bytes: Uint8Array): void;
   /** Begins a generation with these bytes; the ones before are kept, up to a few. */
   startNew(bytes: Uint8Array): void;
+  /** What the drawing is called: kept at once, for a drawing that is taken up again. Nothing when it is called so already. */
+  rename(name: string): void;
   /** What the list of sessions shows. */
   describe(name: string, picture: Uint8Array | null): void;
   /** Sessions that no tab holds, last changed first. */

@@ -16,7 +16,7 @@ export class MemoryJournalStore implements JournalStore {
     this.session = this.newId();
     this.whole = [];
     this.tell();
-    return Promise.resolve({ id: this.session, generations: [] });
+    return Promise.resolve({ id: this.session, name: "", generations: [] });
   }
 
   append(bytes: Uint8Array): void {
@@ -27,6 +27,10 @@ export class MemoryJournalStore implements JournalStore {
   startNew(bytes: Uint8Array): void {
     this.whole = [];
     this.append(bytes);
+  }
+
+  rename(): void {
+    // Nobody will ask for it.
   }
 
   describe(): void {

@@ -6,6 +6,7 @@ import {
   readDescription,
   readLine,
   readSessionRecord,
+  type Description,
   type FoundLine,
   type SessionRecord,
 } from "./records";
@@ -35,6 +36,7 @@ async function readSingly(tables: Tables, range: IDBKeyRange): Promise<(FoundLin
 export interface FoundSession {
   readonly lines: readonly FoundLine[];
   readonly record: SessionRecord | null;
+  readonly description: Description;
 }
 
 export async function readSession(connection: Connection, id: string): Promise<FoundSession> {
@@ -42,12 +44,15 @@ export async function readSession(connection: Connection, id: string): Promise<F
   const found = await connection
     .read((tables) => readAtOnce(tables, range))
     .catch(() => connection.read((tables) => readSingly(tables, range)));
-  const record = await connection
-    .read((tables) => answerOrNull<unknown>(tables("sessions").get(id)))
-    .catch(() => null);
+  const [record, description] = await Promise.all(
+    (["sessions", "descriptions"] as const).map((name) =>
+      connection.read((tables) => answerOrNull<unknown>(tables(name).get(id))).catch(() => null),
+    ),
+  );
   return {
     lines: found.filter((line) => line !== null),
     record: readSessionRecord(record),
+    description: readDescription(description),
   };
 }
 

@@ -28,6 +28,7 @@ export interface Earlier {
   readonly bytes: Uint8Array;
   /** The newest generation is these bytes, written in one piece. */
   readonly isFresh: boolean;
+  readonly description: Description;
 }
 
 export interface WriterParts {
@@ -82,6 +83,7 @@ export class SessionWriter {
     this.whole = [bytes];
     this.stored = { generation: newest, lines: 1 };
     this.fresh = isFresh ? bytes : null;
+    this.description = earlier.description;
   }
 
   append(bytes: Uint8Array): void {
@@ -100,6 +102,11 @@ export class SessionWriter {
     const isKnown = this.fresh !== null && areSameBytes(this.fresh, bytes);
     if (isKnown) this.say({ kind: "saved", timeMs: this.parts.now() });
     else this.begin(joinBytes([bytes]));
+  }
+
+  rename(name: string): void {
+    if (name === this.description?.name) return;
+    this.describe({ name, picture: this.description?.picture ?? null });
   }
 
   describe(description: Description): void {
@@ -172,6 +179,8 @@ export class SessionWriter {
       try {
         await this.writeNext();
         attempts = 0;
+        // Before anybody hears that all is saved: the name is part of it.
+        if (this.isWritten) await this.writeDescription();
       } catch (error) {
         attempts += 1;
         if (attempts < mostAttempts && (await this.isMended(error, attempts))) continue;

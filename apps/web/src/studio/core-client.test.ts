@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { describe, expect, test } from "vitest";
 import type { CoreEvent } from "../protocol/events";
+import { noEdges } from "../protocol/events";
 import type { FromWorker, ToWorker } from "../protocol/messages";
 import { CoreClient } from "./core-client";
 
@@ -30,10 +31,10 @@ function clientWithWorkers() {
     },
     loadCore: () => Promise.resolve(emptyModule),
     language: () => "en",
-    view: () => ({ type: "resize", width: 390, height: now + 1, bars: 0 }),
+    view: () => ({ type: "resize", width: 390, height: now + 1, edges: noEdges }),
     onMessage: (message) => heard.push(message),
     onStart: () => {
-      client.send({ type: "resize", width: 10, height: 20, bars: 0 });
+      client.send({ type: "resize", width: 10, height: 20, edges: noEdges });
     },
     onHopeless: (why) => hopeless.push(why),
     nowMs: () => now,

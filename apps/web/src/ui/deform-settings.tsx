@@ -20,8 +20,6 @@ import { SwitchRow } from "./switch-row";
 /** Of the core: BendOptions, ToolSettings. Equal ways bend equally differently. */
 const bodyScale = ratioScale(0.003, 1);
 const reachScale = evenScale(0.02, 1);
-/** Of the part: half of it follows freely, as the arm while one drags a hand of a character. */
-const restReach = 0.5;
 
 /** How stiff the inside is beside the line. The strip has no inside. */
 function BodyOrWire() {
@@ -55,7 +53,7 @@ function Reach() {
     <AutoSlider
       label={studio.word("reach")}
       value={studio.state.value.bendReach}
-      rest={restReach}
+      rest={studio.state.value.usualReach}
       scale={reachScale}
       text={(value) =>
         value === 1 ? studio.word("whole_part") : studio.word("percent", Math.round(100 * value))

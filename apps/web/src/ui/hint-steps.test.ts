@@ -80,6 +80,8 @@ describe("the hint of Deform", () => {
     isBlank: false,
     pins: 0,
     undo: "simplify",
+    hasRoughStrokes: false,
+    layers: [part],
   } as const;
 
   it("is shown when there is something to bend", () => {
@@ -87,6 +89,14 @@ describe("the hint of Deform", () => {
     expect(bendHint({ ...bendable, isBlank: true })).toBe("wait");
     expect(bendHint({ ...bendable, tool: "select" })).toBe("wait");
     expect(bendHint({ ...bendable, mode: "inflate" })).toBe("wait");
+  });
+
+  it("says to simplify first where each line would bend by itself, also after one was bent", () => {
+    const sketch = { ...bendable, hasRoughStrokes: true, layers: [] };
+    expect(bendHint(sketch)).toBe("simplify");
+    expect(bendHint({ ...sketch, undo: "deform" })).toBe("simplify");
+    expect(bendHint({ ...sketch, tool: "brush" })).toBe("wait");
+    expect(bendHint({ ...sketch, layers: [part] })).toBe("show");
   });
 
   it("is known to who has bent or pinned", () => {

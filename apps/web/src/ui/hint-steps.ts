@@ -45,16 +45,23 @@ export function hintToShow(progress: HintProgress, { state }: HintFacts): HintSt
   }
 }
 
-type BendFacts = Pick<EngineState, "mode" | "tool" | "isBlank" | "pins" | "undo">;
+type BendFacts = Pick<
+  EngineState,
+  "mode" | "tool" | "isBlank" | "pins" | "undo" | "hasRoughStrokes" | "layers"
+>;
 
-/** What is said when Deform is first chosen and there is something to bend; once it has been bent or pinned, it is known. */
-export function bendHint({
-  mode,
-  tool,
-  isBlank,
-  pins,
-  undo,
-}: BendFacts): "show" | "wait" | "known" {
-  if (mode !== "draw" || tool !== "deform" || isBlank) return "wait";
+/** Deform is in the hand, and there is something on the paper: what is said is about that. */
+export function isBending({ mode, tool, isBlank }: BendFacts): boolean {
+  return mode === "draw" && tool === "deform" && !isBlank;
+}
+
+/**
+ * What is said when Deform is first chosen and there is something to bend; once it has been bent or pinned, it is known. Of a sketch
+ * with nothing but rough strokes each line would bend by itself, and come off the others.
+ */
+export function bendHint(facts: BendFacts): "show" | "simplify" | "wait" | "known" {
+  const { hasRoughStrokes, layers, undo, pins } = facts;
+  if (!isBending(facts)) return "wait";
+  if (hasRoughStrokes && layers.length === 0) return "simplify";
   return undo === "deform" || pins > 0 ? "known" : "show";
 }

@@ -9,6 +9,7 @@ import {
   bendHint,
   hintSteps,
   hintToShow,
+  isBending,
   type HintProgress,
   type HintStep,
 } from "./hint-steps";
@@ -71,10 +72,11 @@ function BendHint() {
   useEffect(() => {
     if (now === "known") wanted.value = "done";
   }, [now, wanted]);
-  if (now !== "show") return null;
+  if (now !== "show" && now !== "simplify") return null;
+  const word = now === "show" ? "hint_bend" : "hint_bend_rough";
   return (
     <HintCard
-      text={<span>{studio.word("hint_bend")}</span>}
+      text={<span key={word}>{studio.word(word)}</span>}
       onSkip={() => {
         wanted.value = "done";
       }}
@@ -82,7 +84,12 @@ function BendHint() {
   );
 }
 
-function FirstDrawingHint() {
+interface FirstDrawingHintProps {
+  /** It is not the time to speak of it. */
+  readonly isAside: boolean;
+}
+
+function FirstDrawingHint({ isAside }: FirstDrawingHintProps) {
   const studio = useStudio();
   const [progress, setProgress] = useState<HintProgress>(0);
   const isTurned = useModelTurned(studio);
@@ -97,7 +104,7 @@ function FirstDrawingHint() {
   }, [advanced, studio]);
 
   const step = hintToShow(advanced, facts);
-  if (step === null) return null;
+  if (step === null || isAside) return null;
   const dots = (
     <span class="hint-dots" aria-hidden="true">
       {hintSteps.map((each, index) => (
@@ -120,8 +127,12 @@ function FirstDrawingHint() {
 export function Hints() {
   const studio = useStudio();
   const { hints, bendHint: ofDeform } = studio.preferences;
-  const { mode, tool } = studio.state.value;
+  const isAside = isBending(studio.state.value);
   if (studio.isStarting.value) return null;
-  if (mode === "draw" && tool === "deform" && ofDeform.value === "show") return <BendHint />;
-  return hints.value === "show" ? <FirstDrawingHint /> : null;
+  return (
+    <>
+      {isAside && ofDeform.value === "show" && <BendHint />}
+      {hints.value === "show" && <FirstDrawingHint isAside={isAside} />}
+    </>
+  );
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { readFile } from "node:fs/promises";
 import type { ActionName } from "../protocol/actions.generated";
-import type { PointerAction } from "../protocol/events";
+import { noEdges, type PointerAction } from "../protocol/events";
 import { CoreEngine } from "./engine";
 import type { EngineChanges } from "./engine-changes";
 
@@ -31,7 +31,7 @@ export class Artist {
     );
     const artist = new Artist(engine);
     told.to = artist;
-    engine.handle({ type: "resize", width: viewSidePx, height: viewSidePx, bars: 0 });
+    engine.handle({ type: "resize", width: viewSidePx, height: viewSidePx, edges: noEdges });
     return artist;
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import { describe, expect, test } from "vitest";
+import { describe, expect, test, vi } from "vitest";
+import { noEdges } from "../protocol/events";
 import type { FromWorker } from "../protocol/messages";
 import { MemoryJournalStore } from "../storage/memory-journal-store";
 import { CoreWorker } from "./core-worker";
@@ -48,12 +49,12 @@ class SettlingEngine {
     return null;
   }
 
-  state(): null {
-    return null;
+  state(): { fileName: string } {
+    return { fileName: "cat" };
   }
 }
 
-const move = { type: "resize", width: 1, height: 1, bars: 0 } as const;
+const move = { type: "resize", width: 1, height: 1, edges: noEdges } as const;
 
 function started() {
   const engine = new SettlingEngine();
@@ -67,33 +68,49 @@ function started() {
   return { engine, posted, worker };
 }
 
-const aWhile = () => new Promise((resolve) => setTimeout(resolve, 30));
+/** When a frame has said, since so many were posted, that nothing more will come. */
+function rest(posted: readonly FromWorker[], since: number): Promise<void> {
+  return vi.waitFor(
+    () => {
+      const isAtRest = posted.slice(since).some((each) => each.kind === "frame" && each.isAtRest);
+      expect(isAtRest).toBe(true);
+    },
+    { timeout: 4000, interval: 5 },
+  );
+}
+
+/** More turns of the event loop than all the work of the engine above takes. */
+async function turnsOfTheLoop(): Promise<void> {
+  for (let turn = 0; turn < 20; ++turn) await new Promise((resolve) => setTimeout(resolve, 0));
+}
+
 describe("work that can wait", () => {
   test("is done a round at a time, each shown by a frame, and then ends", async () => {
     const { engine, posted, worker } = started();
-    await aWhile();
+    await rest(posted, 0);
     posted.length = 0;
     worker.take({ kind: "events", events: [move], sequence: 1 });
-    await aWhile();
+    await rest(posted, 0);
     expect(engine.done).toEqual(["event", "work", "work", "work", "work"]);
     const frames = posted.filter(({ kind }) => kind === "frame");
     expect(frames).toHaveLength(5);
     const areAtRest = frames.map((frame) => frame.kind === "frame" && frame.isAtRest);
     expect(areAtRest).toEqual([false, false, false, false, true]);
-    await aWhile();
+    await turnsOfTheLoop();
     expect(posted.filter(({ kind }) => kind === "frame")).toHaveLength(5);
   });
 
   test("gives way to what has come meanwhile", async () => {
-    const { engine, worker } = started();
-    await aWhile();
+    const { engine, posted, worker } = started();
+    await rest(posted, 0);
+    const before = posted.length;
     engine.onFirstWork = () => {
       queueMicrotask(() => {
         worker.take({ kind: "events", events: [move, move], sequence: 3 });
       });
     };
     worker.take({ kind: "events", events: [move], sequence: 1 });
-    await aWhile();
+    await rest(posted, before);
     expect(engine.done.slice(0, 4)).toEqual(["event", "work", "event", "event"]);
     expect(engine.done.slice(4)).toEqual(["work", "work", "work", "work"]);
   });

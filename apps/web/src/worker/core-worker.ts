@@ -116,6 +116,7 @@ export class CoreWorker {
   private sendFrame(isAtRest: boolean): void {
     const scene = this.isSceneStale ? this.engine.scene() : null;
     const state = this.isStateStale ? this.engine.state() : null;
+    if (state !== null) this.store.rename(state.fileName);
     const transfer = [...this.files.map((file) => file.bytes.buffer), ...buffersOf(scene)];
     this.post(
       {

@@ -67,11 +67,25 @@ declare module "#core" {
       nameBytes: number,
       use: number,
     ): void;
-    _engine_resize(engine: Address, width: number, height: number, bars: number): void;
+    _engine_resize(
+      engine: Address,
+      width: number,
+      height: number,
+      left: number,
+      top: number,
+      right: number,
+      bottom: number,
+    ): void;
 
     _engine_has_work(engine: Address): number;
     _engine_work(engine: Address): void;
-    _engine_recover(engine: Address, journal: Address, bytes: number): void;
+    _engine_recover(
+      engine: Address,
+      journal: Address,
+      bytes: number,
+      name: Address,
+      nameBytes: number,
+    ): void;
 
     /** Each gives the address of an answer, of four numbers: head, its bytes, blobs, their bytes; 0: nothing to answer. */
     _engine_take_changes(engine: Address): Address;

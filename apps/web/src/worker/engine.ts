@@ -80,11 +80,12 @@ export class CoreEngine {
     });
   }
 
-  /** Goes on from a journal that an earlier run has left. */
-  recover(journal: Uint8Array): void {
+  /** Goes on from a journal that an earlier run has left; fileName: what the drawing was called, "": it had no name. */
+  recover(journal: Uint8Array, fileName: string): void {
     this.guarded(() => {
-      this.memory.with([journal], (placed) => {
-        this.core._engine_recover(this.engine, placed.address, placed.bytes);
+      this.memory.with([journal, fileName], (placed, name) => {
+        const { address, bytes } = placed;
+        this.core._engine_recover(this.engine, address, bytes, name.address, name.bytes);
       });
     });
   }

@@ -69,7 +69,9 @@ export function sendEvent(
         core._engine_file(engine, bytes.address, bytes.bytes, name.address, name.bytes, use);
       });
       return;
-    case "resize":
-      core._engine_resize(engine, event.width, event.height, event.bars);
+    case "resize": {
+      const { left, top, right, bottom } = event.edges;
+      core._engine_resize(engine, event.width, event.height, left, top, right, bottom);
+    }
   }
 }

@@ -2,6 +2,7 @@
 import { existsSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { describe, expect, test, vi } from "vitest";
+import { noEdges } from "../protocol/events";
 import type { Frame, FromWorker } from "../protocol/messages";
 import type { OpenedSession } from "../storage/journal-store";
 import { MemoryJournalStore } from "../storage/memory-journal-store";
@@ -15,7 +16,7 @@ const kept = vi.hoisted(() => ({ journal: new Uint8Array() }));
 class KeptJournalStore extends MemoryJournalStore {
   override open(): Promise<OpenedSession> {
     const generation = { number: 1, bytes: kept.journal, isTorn: false };
-    return Promise.resolve({ id: "kept", generations: [generation] });
+    return Promise.resolve({ id: "kept", name: "cat", generations: [generation] });
   }
 }
 
@@ -24,10 +25,10 @@ vi.mock("../storage/open-journal-store", () => ({
 }));
 vi.stubGlobal("navigator", {});
 
-/** The first picture of a core that takes up what was kept. */
-async function firstScene(width: number, height: number) {
+/** The first frame of a core that takes up what was kept. */
+async function firstFrame(width: number, height: number) {
   const wasm = await readFile(new URL("core.wasm", coreFolder));
-  const frame = await new Promise<Frame>((resolve, reject) => {
+  return new Promise<Frame>((resolve, reject) => {
     const take = (message: FromWorker) => {
       if (message.kind === "frame") resolve(message);
     };
@@ -39,17 +40,23 @@ async function firstScene(width: number, height: number) {
             wasm: module,
             startWith: { kind: "new" },
             language: "en",
-            view: { type: "resize", width, height, bars: 100 },
+            view: { type: "resize", width, height, edges: { ...noEdges, top: 50, bottom: 50 } },
           },
           take,
         ),
       )
       .catch(reject);
   });
-  return frame.scene!;
 }
 
 describe.skipIf(!isBuilt)("a core that starts", () => {
+  test("knows what the drawing that comes back is called", async () => {
+    const artist = await Artist.start();
+    artist.circle(500, 500, 300);
+    kept.journal = new Uint8Array(artist.changes().journal);
+    expect((await firstFrame(390, 844)).state).toMatchObject({ fileName: "cat", isBlank: false });
+  });
+
   test("fits the drawing that comes back into the window, however large that is", async () => {
     const artist = await Artist.start();
     artist.circle(500, 500, 300);
@@ -58,7 +65,7 @@ describe.skipIf(!isBuilt)("a core that starts", () => {
       [390, 844],
       [1440, 900],
     ] as const) {
-      const scene = await firstScene(width, height);
+      const scene = (await firstFrame(width, height)).scene!;
       expect([scene.width, scene.height]).toEqual([width, height]);
       const [scale, , , , x, y] = scene.canvasToScreen;
       expect(x + scale * 500).toBeCloseTo(width / 2, 0);

@@ -26,7 +26,7 @@ function sessionToOpen(startWith: StartWith, sessions: readonly SessionRow[]): S
  */
 function recover(engine: CoreEngine, worker: CoreWorker, opened: OpenedSession): boolean {
   for (const generation of opened.generations) {
-    engine.recover(generation.bytes);
+    engine.recover(generation.bytes, opened.name);
     const changes = engine.takeChanges();
     const isUsable = changes.isRecoveredWhole || !engine.state().isBlank;
     if (!isUsable && generation !== opened.generations.at(-1)) continue;
