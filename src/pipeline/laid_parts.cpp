@@ -41,9 +41,9 @@ Polyline places_along(Contour const& contour) {
 }
 
 /// What is asked of a layer, each once at most.
-class Sheet {
+class Candidate {
  public:
-  explicit Sheet(Layer const& layer) : layer_(&layer) {
+  explicit Candidate(Layer const& layer) : layer_(&layer) {
     if (layer.outlines.empty()) return;
     for (auto const& piece : layer.outlines.front().pieces) {
       box_ = united(box_, bounds(piece.curve.control));
@@ -82,7 +82,7 @@ class Sheet {
   Polyline rim_;
 };
 
-bool lies_on(Sheet& part, Sheet& host) {
+bool lies_on(Candidate& part, Candidate& host) {
   if (host.is_empty() || (host.layer().is_hidden && !part.layer().is_hidden)) return false;
   if (!touch(part.box(), host.box())) return false;
   if (part.area() > kMostShareOfHost * host.area()) return false;
@@ -94,15 +94,15 @@ bool lies_on(Sheet& part, Sheet& host) {
 }  // namespace
 
 std::vector<LaidPart> laid_parts(Document const& document, std::set<LayerId> const& joined) {
-  std::vector<Sheet> sheets;
-  for (auto const& layer : *document.layers) sheets.emplace_back(layer->layer);
+  std::vector<Candidate> candidates;
+  for (auto const& layer : *document.layers) candidates.emplace_back(layer->layer);
   std::vector<LaidPart> laid;
-  for (std::size_t i = 0; i < sheets.size(); ++i) {
-    auto& part = sheets[i];
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    auto& part = candidates[i];
     if (part.is_empty() || joined.count(part.layer().id) > 0) continue;
     for (std::size_t below = i; below-- > 0;) {
-      if (!lies_on(part, sheets[below])) continue;
-      laid.push_back({part.layer().id, sheets[below].layer().id, part.rim()});
+      if (!lies_on(part, candidates[below])) continue;
+      laid.push_back({part.layer().id, candidates[below].layer().id, part.rim()});
       break;
     }
   }
