@@ -8,6 +8,7 @@
 
 #include "cli/batch.h"
 #include "cli/console.h"
+#include "cli/drawing_outputs.h"
 #include "cli/files.h"
 #include "cli/load_project.h"
 #include "cli/option_values.h"
@@ -17,7 +18,6 @@
 #include "cli/progress_line.h"
 #include "cli/simplify_options.h"
 #include "cli/verb.h"
-#include "cli/write_drawing.h"
 #include "document/apply.h"
 #include "io/json_report.h"
 #include "pipeline/stage_clock.h"
@@ -31,6 +31,7 @@ constexpr double kWorthTellingPx = 1;
 /// The options as the user wrote them.
 struct DeformCall {
   SharedOptions shared;
+  std::string picture;
   std::string pin_file;
   std::vector<std::string> pins;
   std::optional<BendMode> mode;
@@ -43,30 +44,8 @@ struct DeformPlan {
   std::vector<PinWords> pins;
   BendOptions bend;
   RunSimplifyOptions simplify;
-  std::vector<std::string> outputs;
-  std::vector<DrawingFormat> formats;  // where there is an output
+  DrawingOutputs outputs;
 };
-
-std::optional<Error> plan_files(DeformCall const& call, DeformPlan& plan) {
-  auto const& shared = call.shared;
-  if (shared.output.empty() && !shared.is_json) {
-    return Error{ErrorCode::BadOption, "nothing to make: give -o OUTPUT or --json"};
-  }
-  if (shared.is_json && shared.output == kStandardStream) {
-    return Error{ErrorCode::BadOption, "-o - and --json both want standard output; name a file"};
-  }
-  auto outputs = plan_outputs(shared.inputs, {"-o", shared.output, ".inkflate"});
-  if (!outputs) return outputs.error();
-  plan.outputs = std::move(*outputs);
-  for (auto const& output : plan.outputs) {
-    auto const format = output.empty() ? DrawingFormat::Inkflate : drawing_format(output);
-    if (!format) return format.error();
-    plan.formats.push_back(*format);
-  }
-  auto read = shared.inputs;
-  read.push_back(call.pin_file);
-  return find_collision(read, plan.outputs);
-}
 
 /// The pins of the file, then those of the command line.
 std::optional<Error> plan_pins(DeformCall const& call, DeformPlan& plan) {
@@ -106,7 +85,9 @@ std::optional<Error> plan_pins(DeformCall const& call, DeformPlan& plan) {
 
 Result<DeformPlan> make_plan(DeformCall const& call) {
   DeformPlan plan;
-  if (auto const error = plan_files(call, plan)) return *error;
+  auto outputs = plan_drawing_outputs(call.shared, call.picture, ".inkflate", {call.pin_file});
+  if (!outputs) return outputs.error();
+  plan.outputs = std::move(*outputs);
   if (auto const error = plan_pins(call, plan)) return *error;
   auto simplify = simplify_options(call.simplify);
   if (!simplify) return simplify.error();
@@ -198,10 +179,8 @@ Result<Json> deform_one(DeformCall const& call, DeformPlan const& plan, int inde
   auto const result = inkflate::apply(*document, bent->commands);
   if (!result) return result.error();
   progress.report("write");
-  if (auto const& output = plan.outputs[place]; !output.empty()) {
-    if (auto error = write_drawing(to_project(*result), plan.formats[place], output)) {
-      return *error;
-    }
+  if (auto const error = write_drawing_outputs(to_project(*result), plan.outputs, index)) {
+    return *error;
   }
   clock.stop();
   if (!call.shared.is_json) return Json::object();
@@ -211,7 +190,9 @@ Result<Json> deform_one(DeformCall const& call, DeformPlan const& plan, int inde
 ExitStatus run_deform_verb(DeformCall const& call) {
   auto const plan = make_plan(call);
   if (!plan) return refuse(call.shared, plan.error());
-  if (auto const error = make_folder(call.shared.output)) return refuse(call.shared, *error);
+  for (auto const& folder : {call.shared.output, call.picture}) {
+    if (auto const error = make_folder(folder)) return refuse(call.shared, *error);
+  }
   ProgressLine line(call.shared.is_quiet ? ProgressLine::Mode::Off : ProgressLine::Mode::Automatic);
   return run_batch(call.shared, [&](int index) { return deform_one(call, *plan, index, line); });
 }
@@ -223,6 +204,8 @@ Verb declare_deform(CLI::App& program) {
   call->simplify.parts = Parts::Groups;
   auto& verb = *program.add_subcommand("deform", "Bend parts of a drawing by pins");
   add_shared_options(verb, call->shared);
+  verb.add_option("--picture", call->picture, "Also write a picture to look at (PNG), or FOLDER/")
+      ->type_name("FILE");
   verb.add_option("--pins", call->pin_file,
                   "JSON: {\"pins\": [{\"part\", \"at\": [x, y], \"to\": [x, y],\n"
                   "\"turn\": degrees}]}; without \"to\" a pin holds its place")

@@ -6,13 +6,12 @@
 
 #include "cli/batch.h"
 #include "cli/console.h"
-#include "cli/files.h"
+#include "cli/drawing_outputs.h"
 #include "cli/load_project.h"
 #include "cli/output_plan.h"
 #include "cli/progress_line.h"
 #include "cli/simplify_options.h"
 #include "cli/verb.h"
-#include "cli/write_drawing.h"
 #include "io/json_report.h"
 #include "pipeline/stage_clock.h"
 
@@ -29,50 +28,18 @@ struct SimplifyCall {
 /// What to do, checked.
 struct SimplifyPlan {
   RunSimplifyOptions options;
-  std::vector<std::string> outputs;
-  std::vector<DrawingFormat> formats;  // where there is an output
-  std::vector<std::string> pictures;
+  DrawingOutputs outputs;
 };
 
-std::optional<Error> check_streams(SimplifyCall const& call) {
-  auto const& shared = call.shared;
-  if (shared.output.empty() && call.picture.empty() && !shared.is_json) {
-    return Error{ErrorCode::BadOption, "nothing to make: give -o OUTPUT, --picture FILE or --json"};
-  }
-  if (call.picture == kStandardStream) {
-    return Error{ErrorCode::BadOption, "--picture needs a file name"};
-  }
-  if (shared.is_json && shared.output == kStandardStream) {
-    return Error{ErrorCode::BadOption, "-o - and --json both want standard output; name a file"};
-  }
-  return std::nullopt;
-}
-
 Result<SimplifyPlan> make_plan(SimplifyCall const& call) {
-  if (auto const error = check_streams(call)) return *error;
   SimplifyPlan plan;
+  auto outputs = plan_drawing_outputs(call.shared, call.picture, ".svg");
+  if (!outputs) return outputs.error();
+  plan.outputs = std::move(*outputs);
   auto options = simplify_options(call.words);
   if (!options) return options.error();
   plan.options = std::move(*options);
-  auto paths =
-      plan_files_and_pictures(call.shared.inputs, {"-o", call.shared.output, ".svg"}, call.picture);
-  if (!paths) return paths.error();
-  plan.outputs = std::move(paths->files);
-  plan.pictures = std::move(paths->pictures);
-  for (auto const& output : plan.outputs) {
-    auto const format = output.empty() ? DrawingFormat::Svg : drawing_format(output);
-    if (!format) return format.error();
-    plan.formats.push_back(*format);
-  }
   return plan;
-}
-
-std::optional<Error> write_outputs(Project const& project, SimplifyPlan const& plan, int index) {
-  if (auto const& output = plan.outputs[index]; !output.empty()) {
-    if (auto error = write_drawing(project, plan.formats[index], output)) return error;
-  }
-  auto const& picture = plan.pictures[index];
-  return picture.empty() ? std::nullopt : save_drawing_picture(project.drawing, picture);
 }
 
 Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, int index,
@@ -93,7 +60,7 @@ Result<Json> simplify_one(SimplifyCall const& call, SimplifyPlan const& plan, in
   // Strokes that were moved alone would no longer lie where they were traced.
   if (!call.words.fits) project.template_picture = std::move(read->project.template_picture);
   progress.report("write");
-  if (auto const error = write_outputs(project, plan, index)) return *error;
+  if (auto const error = write_drawing_outputs(project, plan.outputs, index)) return *error;
   clock.stop();
   if (!call.shared.is_json) return Json::object();
   return Json::parse(json_report(project.drawing, clock.times()));

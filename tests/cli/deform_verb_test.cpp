@@ -67,6 +67,18 @@ TEST_F(DeformVerb, WritesEveryFormatOfDrawings) {
   EXPECT_EQ(to_output.out, folder_.read("a.svg"));
 }
 
+TEST_F(DeformVerb, APictureShowsTheBend) {
+  std::vector<std::string> const bend = {"parts.svg", "--pin", "bar:500,200:480,120"};
+  auto const run = deform({bend[0], bend[1], bend[2], "--picture", "look.png"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"look.png", "parts.svg"}));
+  EXPECT_EQ(deform({bend[0], bend[1], bend[2], "-o", "bent.svg"}).status, 0);
+  run_inkflate(folder_.path(), {"convert", "bent.svg", "-o", "bent.png"});
+  EXPECT_EQ(folder_.read("look.png"), folder_.read("bent.png"));
+  EXPECT_EQ(deform({bend[0], bend[1], bend[2]}).status, 2);
+  EXPECT_EQ(deform({bend[0], bend[1], bend[2], "--picture", "parts.svg"}).status, 2);
+}
+
 TEST_F(DeformVerb, TheSamePinsFromAFileAndTheCommandLineMakeTheSame) {
   folder_.write("pins.json", R"({"mode": "wire", "pins": [
     {"part": 1, "at": [100, 200]}, {"part": "bar", "at": [500, 200], "to": [480, 120], "turn": -20}]})");
