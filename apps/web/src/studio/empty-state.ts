@@ -13,7 +13,7 @@ export function emptyState(language: Language): EngineState {
     bendMode: "body",
     bendBody: 1,
     bendReach: null,
-    usualReach: 0.3,
+    usualReach: 0.6,
     pins: 0,
     hasPin: false,
     isOverPart: false,
