@@ -76,14 +76,14 @@ test("the bar says how it bends, and does it", {}, async (world) => {
   const auto = page.getByRole("button", { name: "Auto" });
   // What Auto means now, and no more than that is said when it ends.
   await auto.click();
-  await studio.until("what was meant", (state) => state.bendReach === 0.3);
-  assert.equal(await reach.getAttribute("aria-valuetext"), "30 %");
+  await studio.until("what was meant", (state) => state.bendReach === 0.6);
+  assert.equal(await reach.getAttribute("aria-valuetext"), "60 %");
   await auto.click();
   await mouse.click(place([500, 700]));
   await studio.until("held by a pin", (state) => state.usualReach === 1);
   assert.equal(await reach.getAttribute("aria-valuetext"), "Whole part");
   await studio.act("delete_pins");
-  await studio.until("held by nothing", (state) => state.usualReach === 0.3);
+  await studio.until("held by nothing", (state) => state.usualReach === 0.6);
   await reach.focus();
   await keys.press("End");
   await studio.until("all of it", (state) => state.bendReach === 1);
