@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "deform/cut_sheets.h"
 #include "mesh/mesh_region.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/check.h"
 #include "deform/body_system.h"
@@ -70,7 +69,10 @@ double BodySolver::energy(std::span<Vec2 const> pose, BendHold const& hold) {
 
 BendProgress BodySolver::step(BendPose& pose, BendHold const& hold, int steps) {
   auto const count = inside_->mesh->rest.points.size();
-  CHECK(pose.size() == count && (hold.is_fixed.empty() || hold.is_fixed.size() == count),
+  CHECK(pose.size() == count && (hold.is_fixed.empty() || hold.is_fixed.size() == count) &&
+            (hold.tethers.empty() || hold.tethers.size() == count) &&
+            (hold.stiffening.empty() ||
+             hold.stiffening.size() == inside_->mesh->rest.triangles.size()),
         "a pose and a hold of this mesh");
   CHECK(steps >= 1, "at least one step");
   SoftHandles const handles(*inside_->mesh, hold.handles);
@@ -111,7 +113,7 @@ bool BodySolver::Inside::search(BendPose& pose, std::span<Pull const> pulls, dou
   double const rounding = kEnergyRounding * begun;
   for (int i = 0; i < most_halvings; ++i, share /= 2) {
     double energy = energy_at(pose, share, pulls);
-    if (energy > begun - share * kLeastShareOfFall * fall + rounding) continue;
+    if (!(energy <= begun - share * kLeastShareOfFall * fall + rounding)) continue;
     if (share == 1 && begun - energy > kShareOfFallWhenShort * fall) {
       energy = lengthen(pose, pulls, energy, most_share, share);
     }

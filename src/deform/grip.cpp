@@ -2,6 +2,7 @@
 #include "deform/grip.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace inkflate {
 namespace {

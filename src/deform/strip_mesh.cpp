@@ -2,7 +2,9 @@
 #include "deform/strip_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace inkflate {
 namespace {

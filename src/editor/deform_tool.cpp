@@ -7,6 +7,7 @@
 #include "editor/pick_bend.h"
 #include "editor/pins.h"
 #include "editor/tools.h"
+#include "editor/turn_step.h"
 #include "geometry/trig.h"
 #include "io/numbers.h"
 
@@ -18,7 +19,6 @@ constexpr double kDragThresholdPx = 4;
 // Screen px.
 constexpr double kPinReachPx = 10;
 constexpr double kFingerReachFactor = 2.2;  // half a finger's width from a pin's middle
-constexpr double kTurnStepRad = kPi / 12;
 
 template <typename State>
 Step step_to(State state) {

@@ -8,12 +8,10 @@
 #include "editor/bend_gesture.h"
 #include "editor/pick.h"
 #include "editor/pins.h"
-#include "geometry/trig.h"
+#include "editor/turn_step.h"
 
 namespace inkflate {
 namespace {
-
-constexpr double kTurnStepRad = kPi / 12;
 
 Document const& document_of(EditorState const& state) { return state.history.document(); }
 

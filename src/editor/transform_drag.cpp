@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "document/apply.h"
+#include "editor/turn_step.h"
 #include "geometry/trig.h"
 
 namespace inkflate {
 namespace {
 
-// As drawing programs have it.
-constexpr double kTurnStepRad = kPi / 12;
 // Smaller factors lose digits that a later growth would show.
 constexpr double kLeastFactor = 0.01;
 constexpr double kLeastSidePx = 1;

@@ -3,12 +3,12 @@
 
 #include "editor/action_handlers.h"
 #include "editor/pick.h"
+#include "editor/turn_step.h"
 
 namespace inkflate {
 namespace {
 
 constexpr double kZoomStep = 1.25;
-constexpr double kTurnStepRad = 0.2617993877991494;  // 15 degrees
 
 void view_changed(EditorTurn& turn) {
   turn.changes.is_scene_changed = turn.changes.is_state_changed = true;

@@ -33,6 +33,7 @@ struct BentDocument {
 ///
 /// errors  BadInput (no such layer, locked, a number that is not finite or too large: index: the move), NothingThere (no move, or
 ///         nothing moves), BadOption, Cancelled
+/// cost    meshes of what moves, and up to 400 steps of their solvers: some 0.1 s for a character
 Result<BentDocument> bend_document(Document const& document, std::vector<BendMove> const& moves,
                                    BendOptions const& options = {}, Progress const& progress = {});
 

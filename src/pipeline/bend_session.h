@@ -69,7 +69,7 @@ class BendSession {
   bool is_holding() const;
   /// Nothing would move any more: settle is idle.
   bool is_settled() const;
-  /// Goes on towards the minimum, as many steps as a frame has room for.
+  /// Goes on towards the minimum by four steps of the solver, for which a frame has room.
   void settle();
   /// Settles, in a bounded number of steps: at the end of a drag.
   void finish();
