@@ -100,6 +100,30 @@ describe("CoreClient", () => {
     expect(workers[1]!.sent[0]).toMatchObject({ startWith: { kind: "session", session: "a" } });
   });
 
+  test("sends what a worker has not begun to the one that takes its place", async () => {
+    const { client, workers, settled, ready } = clientWithWorkers();
+    await client.start({ kind: "new" });
+    workers[0]!.say(ready("a"));
+    await settled();
+    for (const name of ["simplify", "undo", "redo"] as const) {
+      client.send({ type: "action", name, argument: "" });
+      await settled();
+    }
+    const { isAtRest, sequence } = { isAtRest: true, sequence: 1 };
+    const nothing = { scene: null, state: null, messages: [], files: [], requests: [] };
+    workers[0]!.say({ kind: "frame", sequence, isAtRest, ...nothing });
+    client.restart();
+    client.send(undo);
+    await settled();
+    const [, events] = workers[1]!.sent;
+    const names = events?.kind === "events" ? events.events.map((each) => each.type) : [];
+    expect(names).toEqual(["resize", "action", "action", "action"]);
+    expect(events).toMatchObject({
+      events: [{}, { name: "undo" }, { name: "redo" }, { name: "undo" }],
+      sequence: client.lastSequence,
+    });
+  });
+
   test("begins a new drawing when one stops the core again and again", async () => {
     const { client, workers, hopeless, settled, ready } = clientWithWorkers();
     await client.start({ kind: "choose", own: null });

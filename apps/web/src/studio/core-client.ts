@@ -2,6 +2,7 @@
 import type { CoreEvent, ResizeInput } from "../protocol/events";
 import type { FromWorker, StartWith, ToWorker } from "../protocol/messages";
 import type { Language } from "../protocol/state";
+import { Unanswered } from "./unanswered";
 
 /** A worker as the client sees it; tests give their own. */
 export interface CorePort {
@@ -36,6 +37,7 @@ export class CoreClient {
   private isTold = false;
   private sequence = 0;
   private waiting: CoreEvent[] = [];
+  private readonly unanswered = new Unanswered();
   private session: string | null = null;
   private faults: number[] = [];
 
@@ -48,6 +50,7 @@ export class CoreClient {
 
   async start(startWith: StartWith): Promise<void> {
     this.port?.end();
+    this.unanswered.take();
     // The worker's script is fetched while the core is.
     const port = this.options.startWorker((message) => {
       if (this.port === port) this.listen(message);
@@ -87,8 +90,9 @@ export class CoreClient {
     if (this.isTold) this.port?.post(message);
   }
 
-  /** Gives up what the core is at; all that was done before is kept. */
+  /** Gives up what the core is at; all that was done before and since is kept. */
   restart(): void {
+    this.waiting.unshift(...this.unanswered.take());
     void this.start(
       this.session === null ? { kind: "new" } : { kind: "session", session: this.session },
     );
@@ -100,10 +104,12 @@ export class CoreClient {
     this.waiting = [];
     const transfer = events.flatMap((event) => (event.type === "file" ? [event.bytes.buffer] : []));
     this.port.post({ kind: "events", events, sequence: this.sequence }, transfer);
+    this.unanswered.sent(events, this.sequence);
   }
 
   private listen(message: FromWorker): void {
     if (message.kind === "ready") this.session = message.session;
+    this.unanswered.heard(message);
     this.options.onMessage(message);
     if (message.kind === "fault") this.recover(message.why);
   }
@@ -116,6 +122,7 @@ export class CoreClient {
     } else if (this.session !== null) {
       // It is the drawing: leave it as it is, and begin another.
       this.session = null;
+      this.unanswered.take();
       this.options.onHopeless(why);
       this.restart();
     } else {
