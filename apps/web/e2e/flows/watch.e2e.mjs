@@ -18,7 +18,7 @@ test("what must never happen is noticed when it does", {}, async ({ studio, page
   for (const kind of ["policy breach", "console error", "page error"]) {
     assert.ok((await watch.until(kind)).length > 0, kind);
   }
-  watch.faults.length = 0;
+  await watch.forget();
 });
 
 const withoutPolicy = { context: { bypassCSP: true } };
@@ -26,6 +26,6 @@ test("a request to elsewhere is noticed", withoutPolicy, async ({ studio, page, 
   await studio.open();
   await page.evaluate(() => void fetch("https://elsewhere.invalid/").catch(() => null));
   const requests = await watch.until("foreign request");
-  watch.faults.length = 0;
+  await watch.forget();
   assert.equal(requests.length, 1);
 });
