@@ -26,6 +26,8 @@ test("a request to elsewhere is noticed", withoutPolicy, async ({ studio, page, 
   await studio.open();
   await page.evaluate(() => void fetch("https://elsewhere.invalid/").catch(() => null));
   const requests = await watch.until("foreign request");
+  // The browser says itself that it has failed.
+  await watch.until("console error");
   await watch.forget();
   assert.equal(requests.length, 1);
 });
