@@ -19,7 +19,7 @@ constexpr double kTurnPerStep = 0.25;
 constexpr int kWireIterations = 10;
 
 // How firmly a host takes along what lies on it: an eye keeps its shape nearly, and a wing bends with the back below it.
-constexpr double kLaidFirmness = 1e-4;
+constexpr double kLaidFirmness = 5e-5;
 
 // At the end of a drag: what is not still after so many steps of a vertex (half a microsecond each) stays as it is. But a few
 // rounds are always made.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -14,11 +15,12 @@ namespace inkflate {
 namespace {
 
 // Places of a rim: between two of them a part follows its host by its own stiffness.
-constexpr int kPlaces = 24;
+constexpr int kPlaces = 48;
 
-// A nose may stand out from its head by more than half, and a hat does. But what only touches is beside it, and so is what is nearly as large.
-constexpr int kLeastPlacesOver = 8;
-constexpr double kMostShareOfHost = 0.5;
+// An eye lies on a head as a whole, on the end of a stalk with a little of its rim, and a nose stands out. What has less of it over another only
+// touches that, and what is as large is its twin.
+constexpr int kLeastPlacesOver = 4;
+constexpr double kMostShareOfHost = 0.95;
 
 constexpr double kTolerancePx = 0.25;
 
@@ -82,13 +84,17 @@ class Candidate {
   Polyline rim_;
 };
 
-bool lies_on(Candidate& part, Candidate& host) {
+bool may_lie_on(Candidate& part, Candidate& host) {
   if (host.is_empty() || (host.layer().is_hidden && !part.layer().is_hidden)) return false;
-  if (!touch(part.box(), host.box())) return false;
-  if (part.area() > kMostShareOfHost * host.area()) return false;
-  auto const over = std::count_if(part.rim().begin(), part.rim().end(),
-                                  [&](Vec2 p) { return contains(host.contours(), p); });
-  return over >= kLeastPlacesOver;
+  return touch(part.box(), host.box()) && part.area() <= kMostShareOfHost * host.area();
+}
+
+/// The places of a rim that are over the host.
+Polyline places_over(Candidate& part, Candidate& host) {
+  Polyline over;
+  std::copy_if(part.rim().begin(), part.rim().end(), std::back_inserter(over),
+               [&](Vec2 p) { return contains(host.contours(), p); });
+  return over;
 }
 
 }  // namespace
@@ -100,11 +106,15 @@ std::vector<LaidPart> laid_parts(Document const& document, std::set<LayerId> con
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     auto& part = candidates[i];
     if (part.is_empty() || joined.count(part.layer().id) > 0) continue;
-    for (std::size_t below = i; below-- > 0;) {
-      if (!lies_on(part, candidates[below])) continue;
-      laid.push_back({part.layer().id, candidates[below].layer().id, part.rim()});
-      break;
-    }
+    LaidPart best = {part.layer().id};
+    auto const try_host = [&](Candidate& host) {
+      if (!may_lie_on(part, host)) return;
+      auto over = places_over(part, host);
+      if (over.size() > best.rim.size()) best = {best.part, host.layer().id, std::move(over)};
+    };
+    for (std::size_t below = i; below-- > 0;) try_host(candidates[below]);
+    for (std::size_t above = i + 1; above < candidates.size(); ++above) try_host(candidates[above]);
+    if (std::ssize(best.rim) >= kLeastPlacesOver) laid.push_back(std::move(best));
   }
   return laid;
 }

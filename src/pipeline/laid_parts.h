@@ -8,15 +8,16 @@
 
 namespace inkflate {
 
-/// A closed part that lies on another as an eye does on a head.
+/// A closed part that lies on another as an eye does on a head, or is tucked behind it as a far leg.
 struct LaidPart {
   LayerId part = LayerId::None;
   LayerId host = LayerId::None;
-  Polyline rim;  // places of the part's outer outline, evenly along it, the first one once
+  Polyline rim =
+      {};  // those places of the part's outer outline that are over the host, evenly along it
 };
 
-/// The parts of which at least a third of the rim lies over another part below that is at least twice as large; each with the topmost of
-/// those. What is seen lies on what is seen alone.
+/// The parts of which at least a twelfth of the rim lies over another part, or below it, that is larger; each with the one that has most of it, of
+/// several the nearest below, or else above. What is seen lies on what is seen alone.
 ///
 /// in      joined: parts that are left out
 /// cost    O(parts^2) boxes; O(pieces) of the outlines of those whose boxes meet
