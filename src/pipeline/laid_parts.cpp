@@ -18,9 +18,10 @@ namespace {
 constexpr int kPlaces = 48;
 
 // An eye lies on a head as a whole, on the end of a stalk with a little of its rim, and a nose stands out. What has less of it over another only
-// touches that, and what is as large is its twin.
+// touches that, and what is as large is its twin. What is behind has to be a small thing, as a far leg: a body is not carried by its own wing.
 constexpr int kLeastPlacesOver = 4;
-constexpr double kMostShareOfHost = 0.95;
+constexpr double kMostShareBefore = 0.95;
+constexpr double kMostShareBehind = 0.25;
 
 constexpr double kTolerancePx = 0.25;
 
@@ -84,9 +85,9 @@ class Candidate {
   Polyline rim_;
 };
 
-bool may_lie_on(Candidate& part, Candidate& host) {
+bool may_lie_on(Candidate& part, Candidate& host, double most_share) {
   if (host.is_empty() || (host.layer().is_hidden && !part.layer().is_hidden)) return false;
-  return touch(part.box(), host.box()) && part.area() <= kMostShareOfHost * host.area();
+  return touch(part.box(), host.box()) && part.area() <= most_share * host.area();
 }
 
 /// The places of a rim that are over the host.
@@ -107,13 +108,14 @@ std::vector<LaidPart> laid_parts(Document const& document, std::set<LayerId> con
     auto& part = candidates[i];
     if (part.is_empty() || joined.count(part.layer().id) > 0) continue;
     LaidPart best = {part.layer().id};
-    auto const try_host = [&](Candidate& host) {
-      if (!may_lie_on(part, host)) return;
+    auto const try_host = [&](Candidate& host, double most_share) {
+      if (!may_lie_on(part, host, most_share)) return;
       auto over = places_over(part, host);
       if (over.size() > best.rim.size()) best = {best.part, host.layer().id, std::move(over)};
     };
-    for (std::size_t below = i; below-- > 0;) try_host(candidates[below]);
-    for (std::size_t above = i + 1; above < candidates.size(); ++above) try_host(candidates[above]);
+    for (std::size_t k = i; k-- > 0;) try_host(candidates[k], kMostShareBefore);
+    for (std::size_t k = i + 1; k < candidates.size(); ++k)
+      try_host(candidates[k], kMostShareBehind);
     if (std::ssize(best.rim) >= kLeastPlacesOver) laid.push_back(std::move(best));
   }
   return laid;

@@ -16,7 +16,7 @@ struct LaidPart {
       {};  // those places of the part's outer outline that are over the host, evenly along it
 };
 
-/// The parts of which at least a twelfth of the rim lies over another part, or below it, that is larger; each with the one that has most of it, of
+/// The parts of which at least a twelfth of the rim lies over another part that is larger, or below one that is four times as large; each with the one that has most of it, of
 /// several the nearest below, or else above. What is seen lies on what is seen alone.
 ///
 /// in      joined: parts that are left out
