@@ -51,6 +51,10 @@ TEST(LaidParts, LieThereWithATwelfthOfTheirRim) {
   // Below it, but not in its hole.
   EXPECT_EQ(hosts(with_disc(with_disc(empty_document(), {500, 500}, 50), {500, 500}, 200)),
             (Pairs{{LayerId{1}, LayerId{2}}}));
+  // A body is not carried by its own wing, nor a twin by its twin.
+  EXPECT_EQ(hosts(with_disc(with_disc(empty_document(), {500, 500}, 150), {600, 500}, 200)),
+            Pairs{});
+  EXPECT_EQ(hosts(with_disc(head, {600, 500}, 200)), Pairs{});
   auto const ring = with_ring(empty_document(), {500, 500}, 200, 120);
   EXPECT_EQ(hosts(with_disc(ring, {500, 500}, 50)), Pairs{});
 }
