@@ -33,7 +33,7 @@ struct BendJoint {
 Vec2 mouth_place(BendJoint const& joint, int point, BendPart const& host, BendPose const* pose);
 
 /// What joins what, among the parts of one document after the other. Joints stay as they were found for as long as both their parts
-/// are the same, whatever poses they take.
+/// are the same, whatever poses they take; those of a laid part for as long as nothing but its host moves it.
 class BendJoints {
  public:
   /// Finds what joins what in a document, as it lies there. out: false where that is known already

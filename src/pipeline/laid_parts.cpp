@@ -90,7 +90,7 @@ bool may_lie_on(Candidate& part, Candidate& host, double most_share) {
   return touch(part.box(), host.box()) && part.area() <= most_share * host.area();
 }
 
-/// The places of a rim that are over the host.
+/// The places of a rim in the host's area, whichever of both is in front.
 Polyline places_over(Candidate& part, Candidate& host) {
   Polyline over;
   std::copy_if(part.rim().begin(), part.rim().end(), std::back_inserter(over),

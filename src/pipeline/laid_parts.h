@@ -12,12 +12,11 @@ namespace inkflate {
 struct LaidPart {
   LayerId part = LayerId::None;
   LayerId host = LayerId::None;
-  Polyline rim =
-      {};  // those places of the part's outer outline that are over the host, evenly along it
+  Polyline rim = {};  // of the part's outer outline, evenly along it: where both overlap
 };
 
-/// The parts of which at least a twelfth of the rim lies over another part that is larger, or below one that is four times as large; each with the one that has most of it, of
-/// several the nearest below, or else above. What is seen lies on what is seen alone.
+/// The parts of which at least a twelfth of the rim lies over another part that is larger, or below one that is four times as large; each
+/// with the one that has most of it, of several the nearest below, or else above. What is seen lies on what is seen alone.
 ///
 /// in      joined: parts that are left out
 /// cost    O(parts^2) boxes; O(pieces) of the outlines of those whose boxes meet
